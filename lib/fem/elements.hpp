@@ -1,0 +1,62 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fem/mesh.hpp"
+
+namespace ifedem {
+
+struct Material {
+    double young_Pa = 0;
+    double poisson = 0;
+    double density_kg_m3 = 0;
+    double damping_1_s = 0;
+};
+
+/// What one corotational element needs in a step, computed once from the reference mesh.
+struct Element {
+    std::array<std::uint32_t, 4> node{};
+    std::array<Vec2, 4> reference_m{};     ///< node positions relative to the element's mean
+    std::array<Vec2, 4> gradient_1_m{};    ///< shape-function gradients at the centroid
+    std::array<double, 64> stiffness_N_m{};  ///< Kᵉ of Eq 2.5, rows (x0 y0 x1 y1 …), 2 × 2 Gauss
+};
+
+/// Elements with lumped nodal mass and damping (c·m of Eq 2.3), in mesh order.
+struct ElementSet {
+    std::vector<Element> element;
+    std::vector<double> mass_kg;         ///< per node
+    std::vector<double> damping_kg_s;    ///< per node: Σ c mᵉ/4
+};
+
+/// `material` is indexed by Part. Throws Error(bad_input) for an element with a non-positive Jacobian.
+[[nodiscard]] ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material, double thickness_m,
+                                       PlaneState plane);
+
+/// Adds the internal force −∂U/∂x to `force_N` (one Vec2 a node), U = Σ ½ dᵀ Kᵉ d with d = Rᵀx − X and R the rotation of
+/// the centroid gradient. The derivative of R is kept, so that each element's forces balance in force and moment and the
+/// work done equals the change of U.
+void add_internal_force(const ElementSet& set, std::span<const Vec2> position_m, std::span<Vec2> force_N);
+
+[[nodiscard]] double strain_energy_J(const ElementSet& set, std::span<const Vec2> position_m);
+
+/// Largest stable step of the central difference, 2/ω_max, with ω_max² bounded by the largest element eigenvalue
+/// (exact 8 × 8 eigenproblem of Kᵉ and lumped mass), and the element that sets it.
+struct StableStep {
+    double step_s = 0;
+    std::uint32_t element = 0;
+};
+[[nodiscard]] StableStep stable_step(const ElementSet& set);
+/// The same over one part of the mesh only.
+[[nodiscard]] StableStep stable_step(const ElementSet& set, const Mesh& mesh, Part part);
+
+/// First element whose Jacobian is not positive at a corner in the current configuration.
+[[nodiscard]] std::optional<std::uint32_t> find_inverted(const ElementSet& set, std::span<const Vec2> position_m);
+
+/// Cauchy stress estimate at the centroid (σx, σy, τxy) in Pa, rotated to global axes, for pictures.
+[[nodiscard]] std::array<double, 3> centroid_stress_Pa(const Element& element, const Material& material, PlaneState plane,
+                                                       std::span<const Vec2> position_m);
+
+}  // namespace ifedem

@@ -1,0 +1,33 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/vec2.hpp"
+#include "model/case.hpp"
+
+namespace ifedem {
+
+enum class Part : std::uint8_t { rim, intermediate, surface, lug };  ///< WR, WI, WS, WL of section 3.2.2
+
+/// Four-node quads, nodes counter-clockwise.
+struct Mesh {
+    std::vector<Vec2> node_m;
+    std::vector<std::array<std::uint32_t, 4>> quad;
+    std::vector<Part> part;  ///< one per quad
+};
+
+/// A wheel about its hub at the origin, at angle 0.
+struct WheelMesh {
+    Mesh mesh;
+    std::vector<std::uint32_t> boundary;     ///< outer loop, counter-clockwise; segment k runs from boundary[k] to the next
+    std::vector<std::uint32_t> rim_surface;  ///< nodes at the rim radius: T acts here, θ is their mean (Eq 3.4)
+    std::vector<std::uint32_t> rigid;        ///< nodes that move with the rim: rim surface (rigid rim), all (rigid), none (elastic)
+    static constexpr std::uint32_t no_node = 0xffffffffU;
+    std::uint32_t hub = no_node;             ///< centre node: W and P act here; only an elastic rim has one
+};
+
+/// Mesh of rings and columns with U-lugs (pairs of blocks). Rigid and rigid-rim wheels carry no elements inside the rim.
+[[nodiscard]] WheelMesh make_wheel_mesh(const WheelCase& wheel);
+
+}  // namespace ifedem

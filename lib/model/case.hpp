@@ -1,0 +1,162 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ifedem {
+
+// A case is what the user writes: plain values with the unit in the key. Defaults are chapter 3, B3, Earth.
+// The table in case_keys.cpp is the one place that joins a key to its member, unit, range and sentence; the reader,
+// the writer of resolved cases and `ifedem describe` are loops over it.
+
+enum class Integrator { symplectic_euler, modified_euler_one, modified_euler_two };
+enum class ContactEnd { no_attraction, attraction };  ///< force ends at F = 0, or at zero overlap (then it may pull)
+enum class RollingScheme { limit, sign };             ///< a limit that can stop rotation, or the raw sign of Eq 2.18
+enum class RollingChord { full, half };               ///< b of Eq 2.18
+enum class WallKind { flat, discs };
+enum class WheelBody { rigid, rigid_rim, elastic };   ///< all rigid; elastic layers on a rigid rim; all elastic
+enum class DampingFrame { rigid_motion, absolute };   ///< what c of Eq 2.3 multiplies: v − v_rigid, or v
+enum class SlipRadius { tread, lug_tip };
+enum class ControlScheme { semi_implicit, explicit_ };
+enum class PlaneState { stress, strain };
+
+struct SoilCase {
+    std::vector<double> radii_m = {0.002, 0.0025, 0.003};
+    std::vector<double> radii_shares = {3, 2, 1};  ///< by number
+    double density_kg_m3 = 2600;
+    double thickness_m = 0.1;
+};
+
+struct ContactCase {
+    double normal_stiffness_N_m = 1e5;
+    double tangential_stiffness_N_m = 2.5e4;
+    double friction_soil = 0.6;
+    double friction_wall = 0.4;
+    double friction_wheel = 0.1;
+    double consolidation_friction_soil = 0.0;
+    double consolidation_friction_wall = 0.0;
+    double damping_ratio = 0.2;  ///< ζ = C / (2 √(K m_eff)), both directions
+    double rolling_factor = 1.0;
+    RollingChord rolling_chord = RollingChord::full;
+    RollingScheme rolling_scheme = RollingScheme::limit;
+    ContactEnd contact_end = ContactEnd::no_attraction;
+};
+
+struct BedCase {
+    double length_m = 1.5;
+    std::int64_t disc_count = 19468;
+    std::int64_t seed = 1;
+    WallKind walls = WallKind::flat;
+};
+
+/// One material of the wheel: WR, WI, WS or WL of Table 3-2.
+struct MaterialCase {
+    double young_Pa = 0;
+    double poisson = 0.3;
+    double density_kg_m3 = 1000;
+    double damping_1_s = 0;  ///< per unit mass, Eq 2.3
+};
+
+struct WheelCase {
+    WheelBody body = WheelBody::rigid_rim;
+    double load_N = 170;
+    double width_m = 0.1;
+    double rim_radius_m = 0.09;
+    double tread_radius_m = 0.15;
+    double surface_thickness_m = 0.02;
+    double lug_height_m = 0.008;
+    double lug_thickness_m = 0.006;
+    double lug_gap_m = 0.02;  ///< clear gap between the two lugs of a pair
+    std::int64_t lug_pairs = 12;
+    double lug_phase_deg = 0;
+    std::int64_t rim_rings = 2;
+    std::int64_t intermediate_rings = 4;
+    std::int64_t surface_rings = 2;
+    std::int64_t gap_columns = 1;    ///< columns of elements between the lugs of a pair
+    std::int64_t pitch_columns = 1;  ///< columns of elements between pairs
+    PlaneState plane = PlaneState::stress;
+    DampingFrame damping_frame = DampingFrame::rigid_motion;
+    MaterialCase rim{200e6, 0.3, 3000, 1};
+    MaterialCase intermediate{0.05e6, 0.3, 1000, 1};
+    MaterialCase surface{4e6, 0.49, 1000, 10};
+    MaterialCase lug{4e6, 0.49, 5000, 10};
+};
+
+struct TravelCase {
+    double slip_percent = 60;
+    double speed_m_s = 0.1;
+    double acceleration_time_s = 1;
+    double distance_m = 0.8;
+    double start_x_m = 0.3;
+    SlipRadius slip_radius = SlipRadius::tread;
+};
+
+struct GainsCase {
+    double proportional = 0;
+    double integral = 0;
+    double derivative = 0;
+};
+
+struct ControlCase {
+    ControlScheme scheme = ControlScheme::semi_implicit;
+    GainsCase drawbar{1e4, 1e4, 1e4};  ///< N/m, N/(m s), N s/m
+    GainsCase torque{1e3, 1e3, 1e3};   ///< N m/rad, N m/(rad s), N m s/rad
+};
+
+struct StagesCase {
+    double consolidation_s = 1;
+    double sinkage_s = 2;
+};
+
+struct RecordCase {
+    double series_interval_s = 0.002;
+    double frame_interval_s = 0.25;
+    double checkpoint_interval_s = 1;
+    double energy_interval_s = 0.001;  ///< sampling of dissipation; 0 = no energy budget
+};
+
+struct HealthCase {
+    double overlap_limit = 0.3;  ///< largest overlap as a share of the smaller radius
+    double drawbar_error_limit_m = 0.02;
+    double torque_error_limit_rad = 0.1;
+};
+
+struct Case {
+    std::string name = "chapter3";
+    double gravity_m_s2 = 9.81;
+    double time_step_s = 4e-5;
+    Integrator integrator = Integrator::symplectic_euler;
+    SoilCase soil;
+    ContactCase contact;
+    BedCase bed;
+    WheelCase wheel;
+    TravelCase travel;
+    ControlCase control;
+    StagesCase stages;
+    RecordCase record;
+    HealthCase health;
+};
+
+/// An assignment from the command line, `--set table.key=value`.
+struct Override {
+    std::string key;
+    std::string value;
+};
+
+/// Reads a TOML case. Throws Error(bad_input) with every fault found, one a line: "file:line:column: what is wrong. What to do?".
+[[nodiscard]] Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
+
+/// The same from text; `name` stands for the file in messages.
+[[nodiscard]] Case parse_case(const std::string& text, const std::string& name, const std::vector<Override>& overrides = {});
+
+/// The case as TOML with every key written out; reads back to the same values to the last bit.
+[[nodiscard]] std::string to_toml(const Case& c);
+
+/// The manual of keys: name, unit, default, range, what it means.
+[[nodiscard]] std::string describe_keys();
+
+/// "key = value" lines of the keys of the given tables ("" = top level), for hashing a stage's inputs.
+[[nodiscard]] std::string to_toml_subset(const Case& c, const std::vector<std::string>& keys_or_tables);
+
+}  // namespace ifedem

@@ -1,0 +1,143 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/vec2.hpp"
+
+namespace ifedem {
+
+// All that evolves. Whatever survives a step is here, and for_each_member() at the end names all of it once, so that
+// checkpoint, hash and comparison are loops and a resumed run has the same bits as an uninterrupted one.
+
+/// A disc as the pair loop reads it: one 64-byte cache line, so eight of them transpose in registers.
+struct alignas(64) Disc {
+    double x_m = 0, y_m = 0;
+    double vx_m_s = 0, vy_m_s = 0;
+    double omega_rad_s = 0;  ///< counter-clockwise
+    double radius_m = 0;
+    double inverse_mass_1_kg = 0;
+    double angle_rad = 0;
+};
+static_assert(sizeof(Disc) == 64);
+
+/// Acceleration of the last step; only the modified Euler integrators (Eqs 2.9–2.12) need it.
+struct DiscAcceleration {
+    double x_m_s2 = 0, y_m_s2 = 0, angular_rad_s2 = 0, unused = 0;
+};
+
+struct DiscState {
+    std::vector<Disc> disc;         ///< in list order (sorted by cell at each rebuild)
+    std::vector<std::uint32_t> id;  ///< the disc's number from the beginning, per list position
+    std::vector<DiscAcceleration> acceleration;  ///< empty for the symplectic integrator
+};
+
+/// Neighbours closer than radii + skin, each pair once, with the elastic tangential displacement of its contact.
+/// i and j are list positions, i < j, sorted by i then j.
+struct PairState {
+    std::vector<std::uint32_t> i, j;
+    std::vector<double> tangential_m;           ///< Δu_s of Eq 2.17; 0 out of contact
+    std::vector<Vec2> reference_m;              ///< disc positions at the last rebuild, list order
+    // The inner list: entries of the outer one that are near enough to touch before the next refresh.
+    std::vector<std::uint32_t> inner;           ///< index into i, j
+    std::vector<Vec2> inner_reference_m;        ///< disc positions at the last refresh
+};
+
+/// Contact of a disc with a wall or a wheel segment: who, and the tangential displacement.
+struct BoundaryContact {
+    std::uint32_t disc = 0;     ///< id, not list position
+    std::uint32_t surface = 0;  ///< wall number, or wheel segment
+    double tangential_m = 0;
+};
+
+/// The wheel's rigid part: the rim, or the whole wheel if it is rigid. Counter-clockwise angle, like the soil.
+struct RigidBody {
+    Vec2 position_m;
+    Vec2 velocity_m_s;
+    double angle_rad = 0;
+    double omega_rad_s = 0;
+};
+
+struct WheelState {
+    std::vector<Vec2> position_m;    ///< node positions, all nodes of the mesh
+    std::vector<Vec2> velocity_m_s;
+    RigidBody rim;                   ///< for an elastic rim: hub node and mean rotation of the rim surface
+};
+
+/// Memory of one PID loop (Eqs 3.2, 3.3).
+struct PidState {
+    double error_sum = 0;    ///< Σ e Δt
+    double error_old = 0;
+    double output = 0;       ///< P in N, or T in N m (clockwise)
+    double target = 0;       ///< x in m, or the clockwise angle in rad
+};
+
+struct ControlState {
+    PidState drawbar;
+    PidState torque;
+};
+
+/// Work and dissipation since the beginning of the stage, in J; sampled, see RecordCase::energy_interval_s.
+struct EnergyLedger {
+    double work_torque_J = 0;
+    double work_drawbar_J = 0;
+    double work_load_J = 0;
+    double work_gravity_J = 0;
+    double lost_normal_J = 0;      ///< dashpots and the release of springs cut off at the contact end
+    double lost_tangential_J = 0;  ///< sliding and tangential dashpots
+    double lost_rolling_J = 0;
+    double lost_wheel_J = 0;       ///< damping of the wheel's elements
+};
+
+enum class Stage : std::uint64_t { consolidation = 0, sinkage = 1, travel = 2, finished = 3 };
+
+struct Progress {
+    Stage stage = Stage::consolidation;
+    std::uint64_t step = 0;        ///< within the stage; time = step · dt, never accumulated
+    std::uint64_t total_steps = 0; ///< of all stages so far
+};
+
+struct State {
+    Progress progress;
+    DiscState discs;
+    PairState pairs;
+    std::vector<BoundaryContact> wall_contacts;   ///< sorted by disc, surface
+    std::vector<BoundaryContact> wheel_contacts;  ///< sorted by disc, surface
+    WheelState wheel;
+    ControlState control;
+    EnergyLedger energy;
+    Vec2 touch_position_m;  ///< hub centre just before the first touch: the zero of sinkage
+};
+
+/// Calls f(name, member) for every member of the state, in a fixed order. Members are arithmetic values, enums, Vec2 and
+/// other aggregates of doubles, or vectors of these. Works on State& and const State&.
+template <class S, class F>
+void for_each_member(S& s, F&& f) {
+    f("progress/stage", s.progress.stage);
+    f("progress/step", s.progress.step);
+    f("progress/total_steps", s.progress.total_steps);
+    f("discs/disc", s.discs.disc);
+    f("discs/id", s.discs.id);
+    f("discs/acceleration", s.discs.acceleration);
+    f("pairs/i", s.pairs.i);
+    f("pairs/j", s.pairs.j);
+    f("pairs/tangential_m", s.pairs.tangential_m);
+    f("pairs/reference_m", s.pairs.reference_m);
+    f("pairs/inner", s.pairs.inner);
+    f("pairs/inner_reference_m", s.pairs.inner_reference_m);
+    f("wall_contacts", s.wall_contacts);
+    f("wheel_contacts", s.wheel_contacts);
+    f("wheel/position_m", s.wheel.position_m);
+    f("wheel/velocity_m_s", s.wheel.velocity_m_s);
+    f("wheel/rim", s.wheel.rim);
+    f("control/drawbar", s.control.drawbar);
+    f("control/torque", s.control.torque);
+    f("energy", s.energy);
+    f("touch_position_m", s.touch_position_m);
+}
+
+/// The hash that `run` prints: every member, bytes as they are.
+[[nodiscard]] std::uint64_t hash_state(const State& state);
+
+}  // namespace ifedem
