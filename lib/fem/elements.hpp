@@ -27,11 +27,15 @@ struct Element {
 /// Elements with lumped nodal mass and damping (c·m of Eq 2.3), in mesh order.
 struct ElementSet {
     std::vector<Element> element;
-    std::vector<double> mass_kg;         ///< per node
+    std::vector<double> element_mass_kg;
+    std::vector<double> mass_kg;         ///< per node: Σ mᵉ/4
     std::vector<double> damping_kg_s;    ///< per node: Σ c mᵉ/4
 };
 
-/// `material` is indexed by Part. Throws Error(bad_input) for an element with a non-positive Jacobian.
+/// WR, WI, WS and WL of a wheel, in the order of Part.
+[[nodiscard]] std::array<Material, 4> wheel_materials(const WheelCase& wheel);
+
+/// `material` is indexed by Part; those of parts without elements are not looked at.  Throws Error(bad_input) for an element with a non-positive Jacobian.
 [[nodiscard]] ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material, double thickness_m,
                                        PlaneState plane);
 
@@ -49,7 +53,7 @@ struct StableStep {
     std::uint32_t element = 0;
 };
 [[nodiscard]] StableStep stable_step(const ElementSet& set);
-/// The same over one part of the mesh only.
+/// The same over one part of the mesh only; infinite if the part has no elements.
 [[nodiscard]] StableStep stable_step(const ElementSet& set, const Mesh& mesh, Part part);
 
 /// First element whose Jacobian is not positive at a corner in the current configuration.

@@ -82,12 +82,19 @@ struct ControlState {
 struct EnergyLedger {
     double work_torque_J = 0;
     double work_drawbar_J = 0;
-    double work_load_J = 0;
-    double work_gravity_J = 0;
     double lost_normal_J = 0;      ///< dashpots and the release of springs cut off at the contact end
     double lost_tangential_J = 0;  ///< sliding and tangential dashpots
     double lost_rolling_J = 0;
     double lost_wheel_J = 0;       ///< damping of the wheel's elements
+};
+
+/// Sums over the steps since the last line of series.csv, so that a line is the mean over its interval.
+struct SeriesSums {
+    double steps = 0;
+    double drawbar_N = 0, torque_Nm = 0;          ///< P and T (clockwise)
+    double fx_positive_N = 0, fx_negative_N = 0;  ///< Eqs 2.13, 2.14
+    double fy_N = 0;
+    double effective_radius_m = 0, hub_speed_m_s = 0, omega_clockwise_rad_s = 0;
 };
 
 enum class Stage : std::uint64_t { consolidation = 0, sinkage = 1, travel = 2, finished = 3 };
@@ -107,6 +114,7 @@ struct State {
     WheelState wheel;
     ControlState control;
     EnergyLedger energy;
+    SeriesSums series;
     Vec2 touch_position_m;  ///< hub centre just before the first touch: the zero of sinkage
 };
 
@@ -134,6 +142,7 @@ void for_each_member(S& s, F&& f) {
     f("control/drawbar", s.control.drawbar);
     f("control/torque", s.control.torque);
     f("energy", s.energy);
+    f("series", s.series);
     f("touch_position_m", s.touch_position_m);
 }
 

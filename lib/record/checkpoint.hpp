@@ -9,9 +9,9 @@ namespace ifedem {
 /// Raised by every commit that changes a state hash; CHANGELOG says why.
 inline constexpr int results_version = 1;
 
-/// Writes the whole state to `path` (HDF5, one dataset a member of for_each_member, units in attributes, the case as text),
-/// to a temporary file that is flushed, checked and renamed: a reader sees the old file or the new one, never half.
-/// A whole-file checksum stands in a file beside it (`path` + ".sum") or as a trailer; read_checkpoint verifies it before HDF5 opens the file.
+/// Writes the whole state to `path`: HDF5, one dataset a member of for_each_member with its units as an attribute, the
+/// case as text; after the HDF5 data stands a checksum of the whole file. Equal states make equal bytes. The file is
+/// written under another name, flushed, read back and renamed: a reader sees the old file or the new one, never half.
 /// Throws Error(io).
 void write_checkpoint(const std::string& path, const State& state, const Case& c);
 

@@ -1,0 +1,137 @@
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/run_case.hpp"
+#include "app/run_info.hpp"
+#include "app/stiffness.hpp"
+#include "app/watch.hpp"
+#include "check/check.hpp"
+#include "check/report.hpp"
+#include "record/checkpoint.hpp"
+
+namespace {
+
+using namespace ifedem;
+
+/// "key=value" of --set.
+Override to_override(const std::string& text) {
+    const auto at = text.find('=');
+    if (at == std::string::npos)
+        fail_input(fmt::format("--set {}: there is no '='. Write --set table.key=value.", text));
+    return {text.substr(0, at), text.substr(at + 1)};
+}
+
+void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets, int& code) {
+    auto* run = app.add_subcommand("run", "simulate a case");
+    run->add_option("case", request.case_path, "case file (TOML)")->required();
+    run->add_option("-o,--output", request.directory, "run directory")->required();
+    run->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    run->add_option("--threads", request.threads, "threads for one case")->check(CLI::Range(1, 256));
+    run->add_option("--stages", request.stage_cache, "cache of finished stages");
+    run->add_flag_callback("--force", [&] { request.existing = Existing::replace; }, "replace an existing directory");
+    run->add_flag_callback("--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    run->add_flag("--profile", request.profile, "print the share of each phase");
+    run->callback([&] {
+        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
+        code = run_case(request);
+    });
+}
+
+void add_stage(CLI::App& app, RunRequest& request, std::vector<std::string>& sets, int& code) {
+    auto* stage = app.add_subcommand("prepare", "simulate consolidation and free sinkage into the stage cache");
+    stage->add_option("case", request.case_path, "case file (TOML)")->required();
+    stage->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    stage->add_option("--threads", request.threads, "threads")->check(CLI::Range(1, 256));
+    stage->add_option("--stages", request.stage_cache, "cache of finished stages");
+    stage->add_flag_callback("--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    stage->callback([&] {
+        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
+        request.last_stage = Stage::sinkage;
+        code = run_case(request);
+    });
+}
+
+void add_resume(CLI::App& app, RunRequest& request, int& code) {
+    auto* resume = app.add_subcommand("resume", "go on with a run that was stopped");
+    resume->add_option("directory", request.directory, "run directory")->required();
+    resume->add_option("--threads", request.threads, "threads")->check(CLI::Range(1, 256));
+    resume->add_option("--stages", request.stage_cache, "cache of finished stages");
+    resume->add_flag_callback("--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    resume->callback([&] { code = resume_case(request); });
+}
+
+struct CheckArguments {
+    std::string claims, output;
+    std::vector<std::string> runs;
+    ReportRequest report;
+};
+
+void add_check_and_report(CLI::App& app, CheckArguments& a, int& code) {
+    auto* check = app.add_subcommand("check", "judge runs by the claims of a chapter");
+    check->add_option("claims", a.claims, "claims.csv")->required();
+    check->add_option("runs", a.runs, "run directories")->required();
+    check->add_option("-o,--output", a.output, "checks.csv")->required();
+    check->callback([&] { code = run_check(a.claims, a.runs, a.output); });
+    auto* report = app.add_subcommand("report", "write a chapter's report");
+    report->add_option("claims", a.report.claims_path, "claims.csv")->required();
+    report->add_option("runs", a.report.run_dirs, "run directories")->required();
+    report->add_option("-o,--output", a.report.out_dir, "directory of the report")->required();
+    report->add_option("--title", a.report.title, "title");
+    report->add_option("--command", a.report.command, "the command that made the report");
+    report->callback([&] { write_report(a.report); });
+}
+
+int run_program(int argc, char** argv) {
+    CLI::App app{"ifedem: finite-element wheels on discrete-element soil, in two dimensions"};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", fmt::format("ifedem {} (results version {}, {})", program_version(),
+                                                  results_version, compiler_name()));
+    int code = 0;
+    RunRequest run, stage, resume;
+    std::vector<std::string> run_sets, stage_sets;
+    CheckArguments check;
+    StiffnessRequest stiffness;
+    WatchRequest watch;
+    add_run(app, run, run_sets, code);
+    add_stage(app, stage, stage_sets, code);
+    add_resume(app, resume, code);
+    add_check_and_report(app, check, code);
+    app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
+    auto* press = app.add_subcommand("stiffness", "radial stiffness of wheels on a rigid plane");
+    press->add_option("cases", stiffness.case_paths, "case files")->required();
+    press->add_option("-o,--output", stiffness.directory, "directory for stiffness.csv")->required();
+    press->add_option("--load", stiffness.load_N, "load of the secant, N");
+    press->callback([&] { write_stiffness(stiffness); });
+    auto* follow = app.add_subcommand("watch", "overall progress of a set of runs");
+    follow->add_option("runs", watch.directories, "run directories")->required();
+    follow->callback([&] { watch_runs(watch); });
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        const int status = app.exit(e);
+        return status == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+    }
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run_program(argc, argv);
+    } catch (const Error& e) {
+        fmt::print(stderr, "{}\n", e.what());
+        return static_cast<int>(e.code());
+    } catch (const std::filesystem::filesystem_error& e) {
+        fmt::print(stderr, "{}. Check the path, permissions and free space.\n", e.what());
+        return static_cast<int>(ExitCode::io);
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "unexpected: {}. Please report this with the command that you ran.\n", e.what());
+        return static_cast<int>(ExitCode::io);
+    }
+}

@@ -1,0 +1,315 @@
+#include "app/run_case.hpp"
+
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/progress_line.hpp"
+#include "app/run_info.hpp"
+#include "core/hash.hpp"
+#include "dem/bed.hpp"
+#include "record/checkpoint.hpp"
+#include "record/results.hpp"
+#include "record/snapshot.hpp"
+#include "step/energy.hpp"
+#include "step/fields.hpp"
+#include "step/health.hpp"
+#include "step/stages.hpp"
+#include "step/step.hpp"
+#include "traction/control.hpp"
+
+namespace ifedem {
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t signal_seen = 0;
+extern "C" void note_signal(int number) { signal_seen = number; }
+
+/// A wish in seconds as a whole number of steps, at least one; 0 stays 0 (never).
+std::uint64_t steps_in(double seconds, double step_s) {
+    if (seconds <= 0) return 0;
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(seconds / step_s)));
+}
+
+bool is_due(std::uint64_t step, std::uint64_t interval) { return interval > 0 && step % interval == 0; }
+
+SeriesRow take_series_row(const Scene& scene, State& state, const Workspace& work) {
+    const SeriesSums s = state.series;
+    state.series = {};
+    const double n = s.steps;
+    SeriesRow row;
+    row.time_s = static_cast<double>(state.progress.step) * scene.dem.step_s;
+    row.stage = scene.stage;
+    row.wheel_x_m = state.wheel.rim.position_m.x;
+    row.sinkage_m = state.wheel.rim.position_m.y - state.touch_position_m.y;
+    row.effective_radius_m = s.effective_radius_m / n;
+    row.hub_speed_m_s = s.hub_speed_m_s / n;
+    row.omega_rad_s = s.omega_clockwise_rad_s / n;
+    const double rim_speed = row.effective_radius_m * row.omega_rad_s;
+    row.slip = rim_speed != 0 ? 1.0 - row.hub_speed_m_s / rim_speed : 0.0;
+    row.vertical_force_N = s.fy_N / n;
+    row.torque_Nm = s.torque_Nm / n;
+    row.drawbar_pull_N = s.drawbar_N / n;
+    row.net_traction_N = -row.drawbar_pull_N;
+    row.gross_tractive_effort_N = row.torque_Nm / row.effective_radius_m;
+    row.motion_resistance_N = row.net_traction_N - row.gross_tractive_effort_N;
+    row.fx_positive_N = s.fx_positive_N / n;
+    row.fx_negative_N = s.fx_negative_N / n;
+    row.commanded_omega_rad_s =
+        travel_target(scene.c.travel, scene.c.wheel, row.time_s).omega_clockwise_rad_s;
+    row.ledger = state.energy;
+    row.stored_J = measure_energy(scene, state, work).sum_J();
+    return row;
+}
+
+Frame take_frame(const Scene& scene, const State& state, const Workspace& work) {
+    const DiscFields fields = measure_fields(scene, state, work);
+    return make_frame(state, static_cast<double>(state.progress.step) * scene.dem.step_s,
+                      {fields.speed_m_s, fields.pressure_Pa});
+}
+
+/// A run in progress: what the loop and the end of a run share.
+struct LiveRun {
+    RunRequest request;
+    Case c;
+    State state;
+    std::unique_ptr<Recorder> recorder;
+    std::unique_ptr<ProgressLine> progress;
+    std::uint64_t steps_made = 0;
+    std::vector<RunValue> facts;
+    std::optional<Violation> violation;
+};
+
+std::string checkpoint_path(const LiveRun& run) { return run.request.directory + "/checkpoint.h5"; }
+
+std::string stage_directory(const LiveRun& run, Stage stage) {
+    return run.request.stage_cache + "/" + stage_hash(run.c, stage, results_version);
+}
+
+void write_run_checkpoint(LiveRun& run) {
+    if (run.recorder) run.recorder->flush();
+    if (run.recorder) write_checkpoint(checkpoint_path(run), run.state, run.c);
+}
+
+std::uint64_t remaining_total(const LiveRun& run) {
+    std::uint64_t total = 0;
+    for (const Stage s : {Stage::consolidation, Stage::sinkage, Stage::travel})
+        if (s >= run.state.progress.stage && s <= run.request.last_stage) total += steps_of_stage(run.c, s);
+    return total;
+}
+
+std::string progress_note(const State& state) {
+    if (state.progress.stage == Stage::consolidation)
+        return fmt::format("settling, v_rms {:.1f} mm/s", 1e3 * rms_speed_m_s(state.discs));
+    return fmt::format("{}, x {:.3f} m, z {:.1f} mm", stage_name(state.progress.stage), state.wheel.rim.position_m.x,
+                       1e3 * (state.wheel.rim.position_m.y - state.touch_position_m.y));
+}
+
+/// Steps through one stage. False: stopped by a signal or a health check.
+bool run_stage(LiveRun& run, Stage stage) {
+    const Scene scene = make_scene(run.c, stage);
+    if (run.state.progress.stage != stage || run.state.progress.total_steps == 0 || run.state.progress.step == 0)
+        begin_stage(scene, run.state);
+    Workspace work = make_workspace(scene, run.state);
+    State& state = run.state;
+    const double dt = scene.dem.step_s;
+    const std::uint64_t last = steps_of_stage(run.c, stage);
+    const std::uint64_t series = steps_in(run.c.record.series_interval_s, dt);
+    const std::uint64_t frame = steps_in(run.c.record.frame_interval_s, dt);
+    const std::uint64_t checkpoint = steps_in(run.c.record.checkpoint_interval_s, dt);
+    const std::uint64_t energy = run.c.integrator == Integrator::symplectic_euler
+                                     ? steps_in(run.c.record.energy_interval_s, dt)
+                                     : 0;  // the account needs velocities at half steps
+    const bool recorded = stage == Stage::travel && run.recorder != nullptr;
+    if (recorded && state.progress.step == 0) run.recorder->add_frame(take_frame(scene, state, work));
+    const std::uint64_t offset = state.progress.step;
+    const std::uint64_t already = run.steps_made;
+    while (state.progress.step < last) {
+        if (is_due(state.progress.step + 1, energy)) {
+            add_to_ledger(state.energy, step_and_measure(scene, state, work), static_cast<double>(energy) * dt);
+        } else {
+            step(scene, state, work);
+        }
+        const std::uint64_t at = state.progress.step;
+        run.steps_made = already + at - offset;
+        if (is_due(at, health_interval) || at == last) {
+            run.violation = check_health(scene, state, work);
+            if (run.violation) return false;
+            if (run.progress) run.progress->show(run.steps_made, progress_note(state));
+        }
+        if (recorded && (is_due(at, series) || at == last)) run.recorder->add_series(take_series_row(scene, state, work));
+        if (recorded && (is_due(at, frame) || at == last)) run.recorder->add_frame(take_frame(scene, state, work));
+        if (is_due(at, checkpoint) && at != last) write_run_checkpoint(run);
+        if (signal_seen != 0) {
+            write_run_checkpoint(run);
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The end of a stage goes to the cache, with what is worth knowing about it.
+void keep_stage(const LiveRun& run, Stage stage) {
+    if (stage == Stage::travel) return;
+    const std::string directory = stage_directory(run, stage);
+    fs::create_directories(directory);
+    write_file_atomically(directory + "/stage.csv", to_csv(describe_stage(run.c, run.state, stage)));
+    write_checkpoint(directory + "/checkpoint.h5", run.state, run.c);
+}
+
+/// Starts from the furthest stage in the cache.
+State find_beginning(const LiveRun& run, Stage& next) {
+    for (const Stage s : {Stage::sinkage, Stage::consolidation}) {
+        if (s > run.request.last_stage) continue;
+        const std::string path = stage_directory(run, s) + "/checkpoint.h5";
+        if (!fs::exists(path)) continue;
+        next = s == Stage::sinkage ? Stage::travel : Stage::sinkage;
+        return read_checkpoint(path).state;
+    }
+    next = Stage::consolidation;
+    return make_initial_state(run.c);
+}
+
+void write_pictures(const LiveRun& run) {
+    const Scene scene = make_scene(run.c, Stage::travel);
+    State state = run.state;
+    Workspace work = make_workspace(scene, state);
+    const Frame frame = take_frame(scene, state, work);
+    const Vec2 hub = frame.hub_position_m;
+    SnapshotOptions near;
+    near.x_min_m = hub.x - 0.35, near.x_max_m = hub.x + 0.25;
+    near.y_min_m = 0, near.y_max_m = hub.y + 0.2;
+    write_snapshot_png(run.request.directory + "/snapshot.png", frame, scene.wheel.mesh.mesh, near);
+    SnapshotOptions far;
+    far.x_max_m = run.c.bed.length_m, far.y_max_m = hub.y + 0.2;
+    far.colour = DiscColour::pressure;
+    write_snapshot_png(run.request.directory + "/snapshot_bed.png", frame, scene.wheel.mesh.mesh, far);
+}
+
+double cpu_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+int finish(LiveRun& run, double cpu_s, double wall_s) {
+    const std::string hash = to_hex(hash_state(run.state));
+    const double particles = static_cast<double>(run.state.discs.disc.size());
+    const double particle_steps = particles * static_cast<double>(run.steps_made);
+    const double ns = particle_steps > 0 ? 1e9 * cpu_s / particle_steps : 0;
+    if (run.recorder) {
+        run.recorder->finish();
+        std::vector<RunValue> values = describe_run(run.c, run.state, run.request.threads);
+        values.push_back({"state_hash", hash, ""});
+        values.push_back({"steps", fmt::format("{}", run.steps_made), ""});
+        values.push_back({"particles", fmt::format("{:.0f}", particles), ""});
+        values.push_back({"cpu_s", fmt::format("{:.2f}", cpu_s), "s"});
+        values.push_back({"wall_s", fmt::format("{:.2f}", wall_s), "s"});
+        values.push_back({"ns_per_particle_step", fmt::format("{:.2f}", ns), "ns"});
+        for (const Stage s : {Stage::consolidation, Stage::sinkage})
+            for (const RunValue& v : read_values(stage_directory(run, s) + "/stage.csv"))
+                values.push_back({std::string(stage_name(s)) + "_" + v.name, v.value, v.unit});
+        write_file_atomically(run.request.directory + "/run.csv", to_csv(values));
+        write_pictures(run);
+        std::error_code ignored;
+        fs::remove(checkpoint_path(run), ignored);  // the run is whole: nothing is left to go on from
+    }
+    fmt::print("state-hash: {}\n", hash);
+    fmt::print("performance: steps={} particles={:.0f} cpu_s={:.2f} wall_s={:.2f} ns_per_particle_step={:.2f}\n",
+               run.steps_made, particles, cpu_s, wall_s, ns);
+    return static_cast<int>(ExitCode::done);
+}
+
+int go_through_stages(LiveRun& run, Stage first) {
+    const double cpu0 = cpu_seconds();
+    const auto wall0 = std::chrono::steady_clock::now();
+    omp_set_num_threads(run.request.threads);
+    signal_seen = 0;
+    std::signal(SIGTERM, note_signal);
+    std::signal(SIGINT, note_signal);
+    const std::string label = fs::path(run.request.directory.empty() ? run.c.name : run.request.directory).filename();
+    run.progress =
+        std::make_unique<ProgressLine>(label, remaining_total(run), run.request.show == Show::nothing);
+    for (const Stage stage : {Stage::consolidation, Stage::sinkage, Stage::travel}) {
+        if (stage < first || stage > run.request.last_stage) continue;
+        if (run_stage(run, stage)) {
+            keep_stage(run, stage);
+            continue;
+        }
+        run.progress.reset();
+        if (run.violation) {
+            fmt::print(stderr, "{}: {}\n", label, to_text(*run.violation));
+            return static_cast<int>(ExitCode::health);
+        }
+        fmt::print(stderr, "{}: stopped by signal {}; `ifedem resume {}` goes on from step {}\n", label,
+                   static_cast<int>(signal_seen), run.request.directory, run.state.progress.total_steps);
+        return 128 + static_cast<int>(signal_seen);
+    }
+    run.progress.reset();
+    const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall0).count();
+    return finish(run, cpu_seconds() - cpu0, wall_s);
+}
+
+}  // namespace
+
+int run_case(const RunRequest& request) {
+    LiveRun run;
+    run.request = request;
+    run.c = read_case(request.case_path, request.overrides);
+    const std::string& dir = request.directory;
+    if (!dir.empty() && fs::exists(dir) && !(fs::is_directory(dir) && fs::is_empty(dir))) {
+        if (request.existing == Existing::refuse)
+            fail_input(fmt::format("{} exists already (a run would overwrite it). Choose another -o, or add --force.", dir));
+        fs::remove_all(dir);
+    }
+    Stage first = Stage::consolidation;
+    run.state = find_beginning(run, first);
+    if (!dir.empty())
+        run.recorder = std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel));
+    run.state.progress.stage = first;
+    run.state.progress.step = 0;
+    return go_through_stages(run, first);
+}
+
+int resume_case(const RunRequest& request) {
+    LiveRun run;
+    run.request = request;
+    const std::string& dir = request.directory;
+    if (!fs::exists(checkpoint_path(run))) {
+        if (fs::exists(dir + "/run.csv")) {
+            fmt::print("{} is complete\n", dir);
+            return static_cast<int>(ExitCode::done);
+        }
+        RunRequest again = request;
+        again.case_path = dir + "/case.toml";
+        run.c = read_case(again.case_path);  // before anything is removed
+        const std::string kept = dir + ".case.toml";
+        fs::copy_file(again.case_path, kept, fs::copy_options::overwrite_existing);
+        again.case_path = kept;
+        again.existing = Existing::replace;
+        const int code = run_case(again);
+        fs::remove(kept);
+        return code;
+    }
+    Checkpoint checkpoint = read_checkpoint(checkpoint_path(run));
+    if (checkpoint.results_version != results_version)
+        fail_input(fmt::format("{} was written by results version {} (this program has {}; it would not give the same bits). "
+                               "Run the case anew.", checkpoint_path(run), checkpoint.results_version, results_version));
+    run.c = checkpoint.c;
+    run.state = std::move(checkpoint.state);
+    run.recorder =
+        std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel), run.state.progress);
+    return go_through_stages(run, run.state.progress.stage);
+}
+
+}  // namespace ifedem

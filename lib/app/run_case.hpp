@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "model/case.hpp"
+#include "model/state.hpp"
+
+namespace ifedem {
+
+enum class Existing { refuse, replace };   ///< what `run` does with a directory that is already there
+enum class Show { progress, nothing };
+
+struct RunRequest {
+    std::string case_path;
+    std::string directory;
+    std::string stage_cache = "build/stages";
+    std::vector<Override> overrides;
+    Stage last_stage = Stage::travel;  ///< an earlier one ends in the cache only
+    int threads = 1;
+    Existing existing = Existing::refuse;
+    Show show = Show::progress;
+    bool profile = false;
+};
+
+/// Simulates a case: stages found in the cache are taken from there, the travel is recorded in the directory. Returns what the
+/// program returns.
+[[nodiscard]] int run_case(const RunRequest& request);
+
+/// Goes on from the directory's last checkpoint (from the beginning if it was stopped before the first).
+[[nodiscard]] int resume_case(const RunRequest& request);
+
+}  // namespace ifedem

@@ -1,0 +1,75 @@
+#include "app/run_info.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "dem/bed.hpp"
+#include "record/checkpoint.hpp"
+
+namespace ifedem {
+
+std::string program_version() { return IFEDEM_VERSION; }
+
+std::string compiler_name() {
+#if defined(__clang__)
+    return fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#else
+    return fmt::format("gcc {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#endif
+}
+
+std::vector<RunValue> describe_stage(const Case& c, const State& state, Stage stage) {
+    const double largest = *std::max_element(c.soil.radii_m.begin(), c.soil.radii_m.end());
+    const double surface = measure_surface_m(state.discs, c.bed.length_m, largest);
+    const auto number = [](double v) { return fmt::format("{:.6g}", v); };
+    // The layers next to floor and surface are not soil in bulk: leave out 10 r_max of each.
+    const double margin = 10 * largest;
+    std::vector<RunValue> values = {
+        {"v_rms_m_s", number(rms_speed_m_s(state.discs)), "m/s"},
+        {"surface_m", number(surface), "m"},
+        {"porosity", number(measure_porosity(state.discs, c.bed.length_m, margin, margin, surface - margin)), ""},
+    };
+    if (stage == Stage::sinkage)
+        values.push_back({"sinkage_m", number(state.wheel.rim.position_m.y - state.touch_position_m.y), "m"});
+    return values;
+}
+
+std::vector<RunValue> describe_run(const Case& c, const State& state, int threads) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    std::vector<RunValue> values = {
+        {"case", c.name, ""},
+        {"version", program_version(), ""},
+        {"results_version", fmt::format("{}", results_version), ""},
+        {"compiler", compiler_name(), ""},
+        {"threads", fmt::format("{}", threads), ""},
+        {"peak_memory_MB", fmt::format("{:.1f}", static_cast<double>(usage.ru_maxrss) / 1024), "MB"},
+        {"total_steps", fmt::format("{}", state.progress.total_steps), ""},
+    };
+    return values;
+}
+
+std::string to_csv(const std::vector<RunValue>& values) {
+    std::string text = "name,value,unit\n";
+    for (const RunValue& v : values) text += fmt::format("{},{},{}\n", v.name, v.value, v.unit);
+    return text;
+}
+
+std::vector<RunValue> read_values(const std::string& path) {
+    std::vector<RunValue> values;
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        const auto a = line.find(','), b = line.rfind(',');
+        if (a == std::string::npos || b <= a) continue;
+        values.push_back({line.substr(0, a), line.substr(a + 1, b - a - 1), line.substr(b + 1)});
+    }
+    return values;
+}
+
+}  // namespace ifedem

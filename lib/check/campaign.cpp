@@ -1,0 +1,116 @@
+#include "check/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <tuple>
+
+#include "check/csv.hpp"
+#include "core/error.hpp"
+
+namespace ifedem {
+namespace {
+
+double cell_number(const CsvTable& table, const CsvRow& row, const char* column) {
+    const auto value = parse_number(row.cells[table.require(column)]);
+    if (!value) fail_input(fmt::format("{}:{}: {} is not a number. Write one.", table.path, row.line, column));
+    return *value;
+}
+
+void read_stiffness(const std::filesystem::path& directory, Campaign& campaign) {
+    const CsvTable summary = read_csv((directory / "stiffness_summary.csv").string());
+    for (const auto& row : summary.rows)
+        campaign.stiffness.push_back({row.cells[summary.require("wheel")], cell_number(summary, row, "stiffness_N_mm"),
+                                      cell_number(summary, row, "min_N_mm"), cell_number(summary, row, "max_N_mm")});
+    const auto points_path = directory / "stiffness.csv";
+    if (!std::filesystem::exists(points_path)) return;
+    const CsvTable points = read_csv(points_path.string());
+    for (const auto& row : points.rows)
+        campaign.stiffness_points.push_back({row.cells[points.require("wheel")], cell_number(points, row, "phase_deg"),
+                                             cell_number(points, row, "deflection_m"),
+                                             cell_number(points, row, "load_N")});
+}
+
+/// The case without what may differ between realisations, and without what does not change results.
+std::vector<std::string> comparable_lines(Case c) {
+    c.name.clear();
+    c.bed.seed = 0;
+    c.wheel.lug_phase_deg = 0;
+    c.record = {};
+    auto lines = split(to_toml(c), '\n');
+    for (auto& line : lines) {
+        line.erase(std::min(line.find('#'), line.size()));
+        line.erase(line.find_last_not_of(' ') + 1);
+    }
+    return lines;
+}
+
+void require_same_physics(const MeasuredRun& a, const MeasuredRun& b) {
+    const auto left = comparable_lines(a.run.c);
+    const auto right = comparable_lines(b.run.c);
+    for (std::size_t k = 0; k < std::min(left.size(), right.size()); ++k)
+        if (left[k] != right[k])
+            fail_input(
+                fmt::format("{} and {} stand for one condition ({}) but differ: '{}' against '{}'. Give only runs "
+                            "that differ in seed or lug phase.",
+                            a.run.directory, b.run.directory, to_text(a.condition), left[k], right[k]));
+}
+
+void require_realisations(const Campaign& campaign) {
+    for (std::size_t k = 1; k < campaign.runs.size(); ++k)
+        for (std::size_t j = k; j-- > 0 && campaign.runs[j].condition == campaign.runs[k].condition;) {
+            const auto& a = campaign.runs[j];
+            const auto& b = campaign.runs[k];
+            require_same_physics(a, b);
+            if (a.run.c.bed.seed == b.run.c.bed.seed && a.run.c.wheel.lug_phase_deg == b.run.c.wheel.lug_phase_deg)
+                fail_input(fmt::format("{} and {} are the same realisation (seed and lug phase agree). Leave one out.",
+                                       a.run.directory, b.run.directory));
+        }
+}
+
+}  // namespace
+
+Campaign read_campaign(const std::vector<std::string>& directories) {
+    Campaign campaign;
+    for (const auto& name : directories) {
+        const std::filesystem::path directory(name);
+        const bool is_run = std::filesystem::exists(directory / "case.toml");
+        const bool is_stiffness = std::filesystem::exists(directory / "stiffness_summary.csv");
+        if (!is_run && !is_stiffness)
+            fail_input(
+                fmt::format("{}: neither case.toml nor stiffness_summary.csv is there. Give run directories.", name));
+        if (is_stiffness) read_stiffness(directory, campaign);
+        if (!is_run) continue;
+        Run run = read_run(name);
+        const Condition condition = condition_of(run.c);
+        RunMetrics metrics = measure(run, averaging_window(condition.slip_percent));
+        campaign.runs.push_back({std::move(run), condition, metrics});
+    }
+    std::stable_sort(campaign.runs.begin(), campaign.runs.end(), [](const MeasuredRun& a, const MeasuredRun& b) {
+        return std::tie(a.condition, a.run.name, a.run.directory) < std::tie(b.condition, b.run.name, b.run.directory);
+    });
+    require_realisations(campaign);
+    return campaign;
+}
+
+ValuesBySlip collect(const Campaign& campaign, const std::string& wheel, const std::string& gravity, double load_N,
+                     double RunMetrics::*member, const std::optional<Window>& window) {
+    ValuesBySlip values;
+    for (const auto& run : campaign.runs) {
+        const auto& c = run.condition;
+        if (c.wheel != wheel || c.gravity != gravity || std::abs(c.load_N - load_N) > 1e-9) continue;
+        values[c.slip_percent].push_back(window ? measure(run.run, *window).*member : run.metrics.*member);
+    }
+    return values;
+}
+
+PooledScatter pool(const ValuesBySlip& values) {
+    std::vector<std::vector<double>> groups;
+    for (const auto& [slip, group] : values) groups.push_back(group);
+    return pool_scatter(groups);
+}
+
+}  // namespace ifedem

@@ -1,0 +1,192 @@
+#include "check/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+#include <utility>
+
+#include "check/csv.hpp"
+#include "check/metrics.hpp"
+#include "core/error.hpp"
+
+namespace ifedem {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Comparison>, 8> comparisons{{{"equal", Comparison::equal},
+                                                                              {"above", Comparison::above},
+                                                                              {"below", Comparison::below},
+                                                                              {"at-most", Comparison::at_most},
+                                                                              {"increasing", Comparison::increasing},
+                                                                              {"decreasing", Comparison::decreasing},
+                                                                              {"linear", Comparison::linear},
+                                                                              {"none", Comparison::none}}};
+
+std::optional<Comparison> parse_comparison(std::string_view text) {
+    for (const auto& [name, value] : comparisons)
+        if (name == text) return value;
+    return std::nullopt;
+}
+
+bool is_known_metric(std::string name) {
+    for (const std::string_view prefix : {"ratio:", "abs:"})
+        if (name.starts_with(prefix)) name.erase(0, prefix.size());
+    static const std::set<std::string> others{"gravity_ratio", "stiffness_N_mm", "elapsed_max_s", "elapsed_max_h"};
+    return find_metric(name) != nullptr || others.contains(name);
+}
+
+/// One line on its way from cells to a claim; faults are collected, so that a user sees all of them at once.
+class ClaimReader {
+public:
+    ClaimReader(const CsvTable& table, const CsvRow& row, const Ledger& ledger, std::vector<std::string>& faults)
+        : table_(table), row_(row), ledger_(ledger), faults_(faults) {}
+
+    Claim read() {
+        claim_.line = row_.line;
+        claim_.id = cell("id");
+        claim_.window = cell("window");
+        claim_.metric = cell("metric");
+        claim_.tolerance_origin = cell("tolerance_origin");
+        claim_.evidence = cell("evidence");
+        claim_.note = cell("note");
+        if (!ledger_.contains(claim_.base_id()))
+            fault(fmt::format("the id '{}' is not in the ledger. Use one of its ids.", claim_.id));
+        read_choices();
+        read_selection();
+        if (claim_.comparison == Comparison::none) {
+            if (claim_.note.empty()) fault("a row that is not computed needs its reason. Fill in the note.");
+        } else {
+            read_computed();
+        }
+        return claim_;
+    }
+
+private:
+    [[nodiscard]] const std::string& cell(std::string_view column) const { return row_.cells[table_.require(column)]; }
+
+    void fault(const std::string& what) { faults_.push_back(fmt::format("{}:{}: {}", table_.path, row_.line, what)); }
+
+    void read_choices() {
+        const auto comparison = parse_comparison(cell("compare"));
+        if (!comparison)
+            fault(fmt::format(
+                "compare '{}' is not known. Use equal, above, below, at-most, increasing, decreasing, linear or none.",
+                cell("compare")));
+        claim_.comparison = comparison.value_or(Comparison::none);
+        const auto expected = parse_verdict(cell("expected"));
+        if (!expected)
+            fault(fmt::format(
+                "expected verdict '{}' is not known. Use match, unresolved, differs-explained, not-reproduced or "
+                "not-computable.",
+                cell("expected")));
+        claim_.expected = expected.value_or(Verdict::match);
+    }
+
+    void read_selection() {
+        auto& s = claim_.selection;
+        s.wheel = cell("wheel");
+        if (!cell("gravity").empty()) s.gravity = split(cell("gravity"), '/');
+        if (!cell("load_N").empty())
+            for (const auto& part : split(cell("load_N"), '/')) s.load_N.push_back(number(part, "load_N"));
+        const std::string& slip = cell("slip_percent");
+        if (slip.empty()) return;
+        const auto dots = slip.find("..");
+        s.slip_from_percent = number(slip.substr(0, dots), "slip_percent");
+        s.slip_to_percent =
+            dots == std::string::npos ? s.slip_from_percent : number(slip.substr(dots + 2), "slip_percent");
+    }
+
+    double number(const std::string& text, const char* what) {
+        const auto value = parse_number(text);
+        if (!value) fault(fmt::format("{} '{}' is not a number. Write one.", what, text));
+        return value.value_or(0);
+    }
+
+    void read_computed() {
+        if (!is_known_metric(claim_.metric))
+            fault(
+                fmt::format("metric '{}' is not known. Use a column of runs.csv, ratio: or abs: of one, gravity_ratio, "
+                            "stiffness_N_mm, elapsed_max_s or elapsed_max_h.",
+                            claim_.metric));
+        if (claim_.tolerance_origin.empty())
+            fault(fmt::format("the tolerance '{}' has no origin. Say in tolerance_origin where it comes from.",
+                              cell("tolerance")));
+        if (claim_.metric.starts_with("ratio:") &&
+            (claim_.selection.gravity.size() != 2 || claim_.selection.load_N.size() != 2))
+            fault(fmt::format("a {} needs two gravities and two loads. Write them as mars/earth and 64.4/170.",
+                              claim_.metric));
+        read_window();
+        read_units();
+        if (cell("tolerance") != "U") claim_.tolerance = number(cell("tolerance"), "tolerance");
+        read_reference();
+    }
+
+    /// A number can only be compared with one of the same unit.
+    void read_units() {
+        const auto* info = find_metric(claim_.metric);
+        const auto row = ledger_.find(claim_.base_id());
+        if (!info || row == ledger_.end() || claim_.comparison != Comparison::equal) return;
+        if (info->unit != row->second.units)
+            fault(fmt::format("{} is in {} but the ledger row in {}. Use a metric of that unit.", claim_.metric,
+                              info->unit, row->second.units));
+    }
+
+    void read_window() {
+        if (claim_.window.empty() || claim_.window == "text") return;
+        const auto ends = split(claim_.window, '-');
+        if (ends.size() != 2 || !parse_number(ends[0]) || !parse_number(ends[1]) ||
+            *parse_number(ends[0]) >= *parse_number(ends[1]))
+            fault(fmt::format("window '{}' is not one. Write text, or centimetres of travel such as 40-80.",
+                              claim_.window));
+    }
+
+    /// Empty: the row's own number. An id: that row's number. "=1": the number 1.
+    void read_reference() {
+        const std::string& text = cell("reference");
+        if (text.starts_with('=')) {
+            claim_.reference = number(text.substr(1), "reference");
+            return;
+        }
+        claim_.reference_id = text.empty() ? claim_.base_id() : text;
+        const auto row = ledger_.find(claim_.reference_id);
+        if (row == ledger_.end()) {
+            fault(fmt::format("reference '{}' is not in the ledger. Use one of its ids, or =NUMBER.",
+                              claim_.reference_id));
+            return;
+        }
+        claim_.reference = row->second.number();
+        const bool needs_number = claim_.comparison == Comparison::equal || claim_.comparison == Comparison::above ||
+                                  claim_.comparison == Comparison::below || claim_.comparison == Comparison::at_most;
+        if (needs_number && !claim_.reference)
+            fault(fmt::format("the ledger row {} holds no number to compare with. Name a reference.",
+                              claim_.reference_id));
+    }
+
+    const CsvTable& table_;
+    const CsvRow& row_;
+    const Ledger& ledger_;
+    std::vector<std::string>& faults_;
+    Claim claim_;
+};
+
+}  // namespace
+
+std::vector<Claim> read_claims(const std::string& path, const Ledger& ledger) {
+    const CsvTable table = read_csv(path);
+    for (const char* name : {"id", "metric", "window", "wheel", "gravity", "load_N", "slip_percent", "compare",
+                             "reference", "tolerance", "tolerance_origin", "expected", "evidence", "note"})
+        static_cast<void>(table.require(name));
+    std::vector<std::string> faults;
+    std::vector<Claim> claims;
+    std::set<std::string> seen;
+    for (const auto& row : table.rows) {
+        claims.push_back(ClaimReader(table, row, ledger, faults).read());
+        if (!seen.insert(claims.back().id).second)
+            faults.push_back(fmt::format("{}:{}: the id {} stands twice. Add a suffix such as -b.", path, row.line,
+                                         claims.back().id));
+    }
+    if (!faults.empty()) fail_input(fmt::format("{}", fmt::join(faults, "\n")));
+    return claims;
+}
+
+}  // namespace ifedem

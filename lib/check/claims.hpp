@@ -1,0 +1,55 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/ledger.hpp"
+#include "check/verdict.hpp"
+
+namespace ifedem {
+
+/// How a claim compares what was computed with what the text says.
+enum class Comparison {
+    equal,       ///< a number, within tolerance
+    above,       ///< greater than the reference by more than U
+    below,       ///< less than the reference by more than U
+    at_most,     ///< not greater; for bounds that carry no scatter
+    increasing,  ///< over slip
+    decreasing,  ///< over slip
+    linear,      ///< over slip: no curvature worth the name
+    none,        ///< not computable; the note says why
+};
+
+/// Selects runs. A second value after '/' is the denominator of a ratio.
+struct Selection {
+    std::string wheel;
+    std::vector<std::string> gravity;
+    std::vector<double> load_N;
+    double slip_from_percent = 0;
+    double slip_to_percent = 0;
+};
+
+/// One line of claims.csv.
+struct Claim {
+    std::size_t line = 0;
+    std::string id;      ///< of the ledger, with a suffix such as -b where one row needs several checks
+    std::string metric;  ///< a window mean (metrics.hpp), "ratio:" of one, "abs:" of one, or gravity_ratio,
+                         ///< stiffness_N_mm, elapsed_max_s, elapsed_max_h
+    std::string window;  ///< "text" (section 3.3.1), or "40-80" in cm of travel
+    Selection selection;
+    Comparison comparison = Comparison::none;
+    std::optional<double> reference;  ///< where it is not the ledger row's own number
+    std::string reference_id;         ///< the ledger row that the reference comes from
+    std::optional<double> tolerance;  ///< empty: U
+    std::string tolerance_origin;
+    Verdict expected = Verdict::match;
+    std::string evidence;  ///< a file, from the project's root
+    std::string note;
+
+    [[nodiscard]] std::string base_id() const { return id.substr(0, id.find('-')); }
+};
+
+/// Reads and judges every line; throws Error(bad_input) with all faults, each "file:line: what is wrong. What to do?".
+[[nodiscard]] std::vector<Claim> read_claims(const std::string& path, const Ledger& ledger);
+
+}  // namespace ifedem

@@ -1,0 +1,305 @@
+#include "check/evaluate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <variant>
+
+#include "check/csv.hpp"
+#include "check/statistics.hpp"
+#include "check/trend.hpp"
+#include "core/error.hpp"
+
+namespace ifedem {
+namespace {
+
+// Match needs U ≤ max(10 % of the value, 0.05 W): a larger one could not tell the text's statement from its neighbours.
+constexpr double uncertainty_share = 0.10;
+constexpr double uncertainty_share_of_load = 0.05;
+
+/// Something that cannot be computed, with the reason.
+struct Missing {
+    std::string reason;
+};
+
+/// A number as a claim needs it.
+struct Quantity {
+    double value = 0;
+    double scatter = 0;
+    double uncertainty = 0;
+    std::size_t n = 0;
+    std::string detail;
+};
+
+struct Judge {
+    const Campaign& campaign;
+    const Ledger& ledger;
+    const Claim& claim;
+    Outcome& out;
+
+    [[nodiscard]] Evidence evidence(const std::string& root) const {
+        if (claim.evidence.empty()) return Evidence::none;
+        return std::filesystem::exists(std::filesystem::path(root) / claim.evidence) ? Evidence::given : Evidence::none;
+    }
+};
+
+std::string without_prefix(std::string metric) {
+    const auto colon = metric.find(':');
+    return colon == std::string::npos ? metric : metric.substr(colon + 1);
+}
+
+std::optional<Window> claim_window(const Claim& claim) {
+    if (claim.window.empty() || claim.window == "text") return std::nullopt;
+    const auto ends = split(claim.window, '-');
+    return Window{*parse_number(ends.at(0)) / 100, *parse_number(ends.at(1)) / 100};
+}
+
+std::string wanted_runs(const Claim& claim, std::size_t side) {
+    const auto& s = claim.selection;
+    const auto slip = s.slip_from_percent < s.slip_to_percent
+                          ? fmt::format("{:g}–{:g}", s.slip_from_percent, s.slip_to_percent)
+                          : fmt::format("{:g}", s.slip_from_percent);
+    return fmt::format("{}, {}, {:g} N, slip {} %", s.wheel, capitalised(s.gravity.at(side)), s.load_N.at(side), slip);
+}
+
+ValuesBySlip collect_side(const Campaign& campaign, const Claim& claim, std::size_t side) {
+    const auto* info = find_metric(without_prefix(claim.metric));
+    const auto& s = claim.selection;
+    auto values = collect(campaign, s.wheel, s.gravity.at(side), s.load_N.at(side), info->member, claim_window(claim));
+    if (claim.metric.starts_with("abs:"))
+        for (auto& [slip, group] : values)
+            for (double& v : group) v = std::abs(v);
+    return values;
+}
+
+/// Mean, scatter and U of one side of a claim at its one slip.
+std::variant<Quantity, Missing> window_mean(const Judge& j, std::size_t side, const std::string& printed,
+                                            const std::string& units) {
+    const auto values = collect_side(j.campaign, j.claim, side);
+    const auto group = values.find(j.claim.selection.slip_from_percent);
+    if (group == values.end()) return Missing{fmt::format("no run of {}", wanted_runs(j.claim, side))};
+    if (std::any_of(group->second.begin(), group->second.end(), [](double v) { return !std::isfinite(v); }))
+        return Missing{fmt::format("the runs do not record {}", without_prefix(j.claim.metric))};
+    const double reading = reading_uncertainty(printed, units, j.claim.selection.gravity.at(side));
+    const Estimate e = estimate(group->second, reading, pool(values));
+    Quantity q{e.mean, e.scatter, e.uncertainty, e.n, {}};
+    if (e.borrowed)
+        q.detail = std::isfinite(e.uncertainty) ? "n = 1, scatter borrowed from the slips with several realisations"
+                                                : "n = 1 and no scatter known";
+    return q;
+}
+
+/// The text's reading of one side of a ratio is a force or a length, whose reading uncertainty the contract gives.
+std::variant<Quantity, Missing> ratio_of_means(const Judge& j) {
+    const std::string units(find_metric(without_prefix(j.claim.metric))->unit);
+    const auto top = window_mean(j, 0, "1", units);
+    const auto bottom = window_mean(j, 1, "1", units);
+    if (const auto* missing = std::get_if<Missing>(&top)) return *missing;
+    if (const auto* missing = std::get_if<Missing>(&bottom)) return *missing;
+    const auto& a = std::get<Quantity>(top);
+    const auto& b = std::get<Quantity>(bottom);
+    Quantity q;
+    q.value = a.value / b.value;
+    q.scatter = ratio_uncertainty(a.value, a.scatter, b.value, b.scatter);
+    q.uncertainty = ratio_uncertainty(a.value, a.uncertainty, b.value, b.uncertainty);
+    q.n = std::min(a.n, b.n);
+    q.detail = fmt::format("{:.4g}/{:.4g}", a.value, b.value);
+    return q;
+}
+
+std::variant<Quantity, Missing> gravity_ratio(const Judge& j) {
+    std::optional<double> mars;
+    std::optional<double> earth;
+    for (const auto& run : j.campaign.runs) {
+        if (run.condition.gravity == "mars") mars = run.run.c.gravity_m_s2;
+        if (run.condition.gravity == "earth") earth = run.run.c.gravity_m_s2;
+    }
+    if (!mars || !earth) return Missing{"needs a run on Earth and one on Mars"};
+    return Quantity{*mars / *earth, 0, 0, 1, "from the cases' own gravity"};
+}
+
+/// Stiffness over lug phases; the half range is what the text, which names no phase, leaves open.
+std::variant<Quantity, Missing> stiffness(const Judge& j, const std::string& printed, const std::string& units) {
+    for (const auto& s : j.campaign.stiffness)
+        if (s.wheel == j.claim.selection.wheel) {
+            const double half_range = 0.5 * (s.most_N_mm - s.least_N_mm);
+            return Quantity{s.stiffness_N_mm, half_range,
+                            std::hypot(half_range, reading_uncertainty(printed, units, "")), 1,
+                            fmt::format("{:.4g}–{:.4g} N/mm over lug phases", s.least_N_mm, s.most_N_mm)};
+        }
+    return Missing{fmt::format("no stiffness file for wheel {}", j.claim.selection.wheel)};
+}
+
+std::variant<Quantity, Missing> longest_time(const Judge& j, double seconds_per_unit) {
+    const auto& s = j.claim.selection;
+    Quantity q;
+    for (const auto& run : j.campaign.runs) {
+        if (run.condition.wheel != s.wheel || run.condition.gravity != s.gravity.at(0)) continue;
+        const auto seconds = parse_number(run.run.text("wall_s"));
+        if (!seconds) continue;
+        q.value = std::max(q.value, *seconds / seconds_per_unit);
+        ++q.n;
+    }
+    if (q.n == 0) return Missing{"no run tells its wall_s"};
+    q.detail = "another machine, compiler and time step than the text's";
+    return q;
+}
+
+std::variant<Quantity, Missing> compute(const Judge& j) {
+    const std::string& metric = j.claim.metric;
+    if (metric == "gravity_ratio") return gravity_ratio(j);
+    if (metric == "stiffness_N_mm") return stiffness(j, j.out.reference_text, j.out.ledger.units);
+    if (metric == "elapsed_max_s") return longest_time(j, 1);
+    if (metric == "elapsed_max_h") return longest_time(j, 3600);
+    if (metric.starts_with("ratio:")) return ratio_of_means(j);
+    return window_mean(j, 0, j.out.reference_text, j.out.units);
+}
+
+double uncertainty_limit(const Judge& j, double reference) {
+    const double share = uncertainty_share * std::abs(reference);
+    const bool is_force = j.out.units == "N" && !j.claim.selection.load_N.empty();
+    return is_force ? std::max(share, uncertainty_share_of_load * j.claim.selection.load_N[0]) : share;
+}
+
+void add_detail(Outcome& out, const std::string& text) {
+    if (text.empty()) return;
+    out.detail += (out.detail.empty() ? "" : "; ") + text;
+}
+
+/// A number against U, or against the claim's own tolerance.
+Finding judge_equal(const Judge& j, const Quantity& q, double reference) {
+    const double error = q.value - reference;
+    const double tolerance = j.claim.tolerance.value_or(q.uncertainty);
+    j.out.tolerance_text = format_number(tolerance);
+    if (std::isfinite(tolerance) && tolerance > 0) j.out.error_over_tolerance = error / tolerance;
+    if (j.claim.tolerance) return compare_within_tolerance(error, q.uncertainty, tolerance);
+    const double limit = uncertainty_limit(j, reference);
+    if (q.uncertainty > limit) add_detail(j.out, fmt::format("U may be at most {:.3g}", limit));
+    return compare_within_uncertainty(error, q.uncertainty, limit);
+}
+
+Finding judge_side(const Judge& j, const Quantity& q, double reference) {
+    const double sign = j.claim.comparison == Comparison::above ? 1.0 : -1.0;
+    const double margin = sign * (q.value - reference);
+    j.out.tolerance_text = format_number(q.uncertainty);
+    if (std::isfinite(q.uncertainty) && q.uncertainty > 0) j.out.error_over_tolerance = -margin / q.uncertainty;
+    return compare_side(margin, q.uncertainty);
+}
+
+Finding judge_at_most(const Judge& j, const Quantity& q, double reference) {
+    j.out.tolerance_text = "bound";
+    j.out.error_over_tolerance = q.value / reference;
+    return q.value <= reference ? Finding::within : Finding::outside;
+}
+
+std::variant<Finding, Missing> judge_number(const Judge& j) {
+    const double reference = j.claim.reference.value_or(0);
+    j.out.reference = reference;
+    auto result = compute(j);
+    if (const auto* missing = std::get_if<Missing>(&result)) return *missing;
+    const auto& q = std::get<Quantity>(result);
+    j.out.computed = q.value;
+    j.out.scatter = q.scatter;
+    j.out.uncertainty = q.uncertainty;
+    j.out.n = q.n;
+    add_detail(j.out, q.detail);
+    if (j.claim.comparison == Comparison::equal) return judge_equal(j, q, reference);
+    if (j.claim.comparison == Comparison::at_most) return judge_at_most(j, q, reference);
+    return judge_side(j, q, reference);
+}
+
+std::variant<Finding, Missing> judge_trend(const Judge& j) {
+    auto values = collect_side(j.campaign, j.claim, 0);
+    const auto& s = j.claim.selection;
+    std::erase_if(values, [&](const auto& item) {
+        return item.first < s.slip_from_percent - 1e-9 || item.first > s.slip_to_percent + 1e-9;
+    });
+    const TrendPoints points = trend_points(values);
+    constexpr std::size_t fewest = 4;
+    if (points.slip_percent.size() < fewest)
+        return Missing{
+            fmt::format("only {} of the slips of {} were run", points.slip_percent.size(), wanted_runs(j.claim, 0))};
+    const TrendResult result = j.claim.comparison == Comparison::linear
+                                   ? judge_linear(points, j.claim.tolerance.value_or(0.1))
+                                   : judge_monotonic(points, j.claim.comparison == Comparison::increasing ? 1.0 : -1.0);
+    j.out.computed = result.statistic;
+    j.out.uncertainty = result.uncertainty;
+    j.out.scatter = points.scatter.deviation;
+    j.out.n = points.runs;
+    j.out.units = "-";
+    j.out.tolerance_text = result.tolerance_text;
+    j.out.error_over_tolerance = result.error_over_tolerance;
+    add_detail(j.out, result.detail);
+    return result.finding;
+}
+
+std::string describe_condition(const Claim& claim, const LedgerRow& row) {
+    const auto& s = claim.selection;
+    if (claim.comparison == Comparison::none || s.gravity.empty() || s.load_N.empty()) return row.condition;
+    if (s.gravity.size() == 2) return fmt::format("{} over {}", wanted_runs(claim, 0), wanted_runs(claim, 1));
+    return wanted_runs(claim, 0);
+}
+
+std::string describe_reference(const Claim& claim, const Ledger& ledger) {
+    if (claim.reference_id.empty())
+        return claim.reference ? format_number(*claim.reference) : ledger.at(claim.base_id()).value;
+    const std::string& value = ledger.at(claim.reference_id).value;
+    return value;
+}
+
+Outcome judge_claim(const Claim& claim, const Ledger& ledger, const Campaign& campaign, const std::string& root) {
+    Outcome out;
+    out.claim = claim;
+    out.ledger = ledger.at(claim.base_id());
+    const auto* info = find_metric(without_prefix(claim.metric));
+    out.units = claim.metric.starts_with("ratio:") ? "-" : info ? std::string(info->unit) : out.ledger.units;
+    out.condition = describe_condition(claim, out.ledger);
+    out.reference_text = describe_reference(claim, ledger);
+    if (claim.comparison == Comparison::none) {
+        out.detail = claim.note;
+        return out;
+    }
+    const Judge j{campaign, ledger, claim, out};
+    const bool is_trend = claim.comparison == Comparison::linear || claim.comparison == Comparison::increasing ||
+                          claim.comparison == Comparison::decreasing;
+    const auto finding = is_trend ? judge_trend(j) : judge_number(j);
+    if (const auto* missing = std::get_if<Missing>(&finding)) {
+        out.detail = missing->reason;
+        return out;
+    }
+    out.verdict = decide(std::get<Finding>(finding), j.evidence(root));
+    if (!claim.evidence.empty() && j.evidence(root) == Evidence::none)
+        add_detail(out, fmt::format("the evidence {} does not exist", claim.evidence));
+    return out;
+}
+
+}  // namespace
+
+std::vector<Outcome> evaluate(const std::vector<Claim>& claims, const Ledger& ledger, const Campaign& campaign,
+                              const std::string& root) {
+    std::vector<Outcome> outcomes;
+    std::set<std::string> claimed;
+    std::set<int> chapters;
+    for (const auto& claim : claims) {
+        outcomes.push_back(judge_claim(claim, ledger, campaign, root));
+        claimed.insert(claim.base_id());
+        chapters.insert(outcomes.back().ledger.chapter);
+    }
+    for (const auto& [id, row] : ledger) {
+        if (!row.needs_verdict() || !chapters.contains(row.chapter) || claimed.contains(id)) continue;
+        Outcome missing;
+        missing.claim.id = id;
+        missing.ledger = row;
+        missing.units = row.units;
+        missing.condition = row.condition;
+        missing.reference_text = row.value;
+        missing.detail = "no claim declares this ledger row";
+        outcomes.push_back(std::move(missing));
+    }
+    return outcomes;
+}
+
+}  // namespace ifedem

@@ -1,0 +1,168 @@
+#include "check/figure_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "check/csv.hpp"
+#include "check/trend.hpp"
+#include "core/error.hpp"
+
+namespace ifedem {
+namespace {
+
+constexpr const char* drawn_wheel = "B3";
+constexpr std::size_t series_bins = 400;
+
+std::string slip_line(const std::string& curve, const char* kind, double slip, double value, double uncertainty,
+                      std::size_t n, const std::string& label) {
+    return csv_line({curve, kind, format_number(slip), format_number(value), format_number(uncertainty),
+                     n > 0 ? std::to_string(n) : "", label});
+}
+
+std::string curve_lines(const Campaign& campaign, const CurveName& curve, double RunMetrics::*member) {
+    const auto values = collect(campaign, drawn_wheel, curve.gravity, curve.load_N, member);
+    if (values.empty()) return {};
+    const PooledScatter scatter = pool(values);
+    std::string text;
+    for (const auto& [slip, group] : values) {
+        const Estimate e = estimate(group, 0, scatter);
+        text +=
+            slip_line(curve.gravity, "mean", slip, e.mean, std::isfinite(e.uncertainty) ? e.uncertainty : 0, e.n, "");
+        if (group.size() > 1)
+            for (const double v : group) text += slip_line(curve.gravity, "run", slip, v, 0, 1, "");
+    }
+    const TrendPoints points = trend_points(values);
+    const auto& slips = points.slip_percent;
+    if (slips.size() >= 4) {
+        const auto fit = fit_polynomial(slips, points.mean, points.weight, 2);
+        constexpr int steps = 40;
+        for (int k = 0; k <= steps; ++k) {
+            const double slip = slips.front() + (slips.back() - slips.front()) * k / steps;
+            text += slip_line(curve.gravity, "fit", slip, fit.at(slip), 0, 0, "");
+        }
+    }
+    text += slip_line(curve.gravity, "label", slips.back(), points.mean.back(), 0, 0,
+                      fmt::format("{}, {:g} N", capitalised(curve.gravity), curve.load_N));
+    return text;
+}
+
+/// The text's own number for this metric and curve, where a claim compares it.
+std::string text_lines(const std::vector<Outcome>& outcomes, const std::string& metric, const CurveName& curve) {
+    std::string text;
+    for (const auto& o : outcomes) {
+        const auto& c = o.claim;
+        const auto& s = c.selection;
+        if (c.metric != metric || c.comparison != Comparison::equal || !o.reference || s.gravity.size() != 1) continue;
+        if (s.gravity[0] != curve.gravity || std::abs(s.load_N.at(0) - curve.load_N) > 1e-9) continue;
+        const double reading = reading_uncertainty(o.reference_text, o.units, curve.gravity);
+        text += slip_line(curve.gravity, "text", s.slip_from_percent, *o.reference, reading, 0,
+                          "text: " + o.reference_text);
+    }
+    return text;
+}
+
+struct Bin {
+    double sum = 0, least = std::numeric_limits<double>::infinity(),
+           greatest = -std::numeric_limits<double>::infinity();
+    std::size_t n = 0;
+    void add(double v) {
+        sum += v;
+        least = std::min(least, v);
+        greatest = std::max(greatest, v);
+        ++n;
+    }
+};
+
+}  // namespace
+
+CurveName parse_curve(const std::string& text) {
+    const auto words = split(text, ' ');
+    CurveName curve;
+    curve.gravity = words[0];
+    const auto load = words.size() > 1 ? parse_number(words[1]) : std::nullopt;
+    const auto slip = words.size() > 2 ? parse_number(words[2]) : std::optional<double>(0);
+    if (!load || !slip)
+        fail_input(fmt::format("figures.csv: '{}' is not a curve. Write it as 'earth 170' or 'earth 170 60'.", text));
+    curve.load_N = *load;
+    curve.slip_percent = *slip;
+    return curve;
+}
+
+std::optional<std::string> slip_data(const Campaign& campaign, const std::vector<Outcome>& outcomes,
+                                     const std::string& metric, const std::vector<CurveName>& curves) {
+    const auto* info = find_metric(metric);
+    if (!info) fail_input(fmt::format("figures.csv: the metric '{}' is not known. Use a column of runs.csv.", metric));
+    std::string lines;
+    for (const auto& curve : curves) {
+        const std::string computed = curve_lines(campaign, curve, info->member);
+        if (!computed.empty()) lines += computed + text_lines(outcomes, metric, curve);
+    }
+    if (lines.empty()) return std::nullopt;
+    return "curve,kind,slip_percent,value,uncertainty,n,label\n" + lines;
+}
+
+std::string series_data(const MeasuredRun& run) {
+    const auto column = [&](const char* name) -> const std::vector<double>& { return run.run.travel.at(name); };
+    const auto& x = column("wheel_x_m");
+    const std::array<const std::vector<double>*, 3> quantities{&column("torque_Nm"), &column("net_traction_N"),
+                                                               &column("sinkage_m")};
+    const double length = std::max(1e-9, *std::max_element(x.begin(), x.end()) - x.front());
+    std::array<std::vector<Bin>, 3> bins;
+    for (auto& b : bins) b.resize(series_bins);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const double share = std::clamp((x[k] - x.front()) / length, 0.0, 1.0);
+        const auto bin = std::min(series_bins - 1, static_cast<std::size_t>(share * static_cast<double>(series_bins)));
+        for (std::size_t q = 0; q < bins.size(); ++q) bins[q][bin].add((*quantities[q])[k] * (q == 2 ? 100 : 1));
+    }
+    std::string text =
+        "travel_cm,torque_Nm,torque_least_Nm,torque_greatest_Nm,net_traction_N,net_traction_least_N,net_traction_"
+        "greatest_N,"
+        "sinkage_cm,sinkage_least_cm,sinkage_greatest_cm\n";
+    for (std::size_t k = 0; k < series_bins; ++k) {
+        if (bins[0][k].n == 0) continue;
+        std::vector<std::string> cells{format_number(100 * length * (static_cast<double>(k) + 0.5) / series_bins)};
+        for (const auto& b : bins)
+            for (const double v : {b[k].sum / static_cast<double>(b[k].n), b[k].least, b[k].greatest})
+                cells.push_back(format_number(v));
+        text += csv_line(cells);
+    }
+    return text;
+}
+
+std::optional<std::string> agreement_data(const std::vector<Outcome>& outcomes) {
+    std::vector<const Outcome*> rows;
+    for (const auto& o : outcomes)
+        if (o.claim.comparison == Comparison::equal && o.error_over_tolerance) rows.push_back(&o);
+    if (rows.empty()) return std::nullopt;
+    std::string text = "row,label,error_over_tolerance,verdict\n";
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        text += csv_line({std::to_string(k), fmt::format("{}  {}", rows[k]->ledger.quantity, rows[k]->claim.id),
+                          format_number(std::clamp(*rows[k]->error_over_tolerance, -3.0, 3.0)),
+                          std::string(to_text(rows[k]->verdict))});
+    return text;
+}
+
+std::optional<std::string> stiffness_data(const Campaign& campaign) {
+    if (campaign.stiffness_points.empty()) return std::nullopt;
+    std::string text = "wheel,phase_deg,deflection_mm,load_N\n";
+    for (const auto& p : campaign.stiffness_points)
+        text += csv_line(
+            {p.wheel, format_number(p.phase_deg), format_number(1e3 * p.deflection_m), format_number(p.load_N)});
+    return text;
+}
+
+const MeasuredRun* find_run(const Campaign& campaign, const CurveName& curve) {
+    for (const auto& run : campaign.runs) {
+        const auto& c = run.condition;
+        if (c.wheel == drawn_wheel && c.gravity == curve.gravity && std::abs(c.load_N - curve.load_N) < 1e-9 &&
+            std::abs(c.slip_percent - curve.slip_percent) < 1e-9)
+            return &run;
+    }
+    return nullptr;
+}
+
+}  // namespace ifedem

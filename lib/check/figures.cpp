@@ -1,0 +1,145 @@
+#include "check/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "check/csv.hpp"
+#include "check/figure_data.hpp"
+#include "check/gnuplot.hpp"
+#include "core/error.hpp"
+
+namespace ifedem {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One line of figures.csv.
+struct FigureRow {
+    std::string name, script, data, metric, series, title, ylabel, caption, style;
+};
+
+std::vector<FigureRow> read_rows(const std::string& path) {
+    const CsvTable t = read_csv(path);
+    std::vector<FigureRow> rows;
+    for (const auto& row : t.rows) {
+        const auto cell = [&](const char* name) { return row.cells[t.require(name)]; };
+        rows.push_back({cell("name"), cell("script"), cell("data"), cell("metric"), cell("series"), cell("title"),
+                        cell("ylabel"), cell("caption"), cell("style")});
+    }
+    return rows;
+}
+
+using Variables = std::vector<std::pair<std::string, std::string>>;
+
+Figure start_figure(const FigureRow& row, const char* image_ending) {
+    Figure f;
+    f.name = row.name;
+    f.title = row.title;
+    f.caption = row.caption;
+    f.style = row.style;
+    f.image = fmt::format("figures/{}.{}", row.name, image_ending);
+    f.data = fmt::format("figures/{}.csv", row.name);
+    return f;
+}
+
+/// "fit", "run", "mean", "text" and "label": the curves that have such lines, so that a script loops over what is
+/// there.
+void name_curves(const std::string& data, Variables& variables) {
+    for (const char* kind : {"fit", "run", "mean", "text", "label"}) {
+        std::string names;
+        for (const char* curve : {"earth", "mars"})
+            if (data.find(fmt::format("\n{},{},", curve, kind)) != std::string::npos) names += std::string(curve) + " ";
+        variables.emplace_back(kind, names);
+    }
+}
+
+std::string verdicts_present(const std::vector<Outcome>& outcomes) {
+    std::string names;
+    for (int k = 0; k < verdict_count; ++k) {
+        const auto verdict = static_cast<Verdict>(k);
+        const bool occurs = std::any_of(outcomes.begin(), outcomes.end(), [&](const Outcome& o) {
+            return o.verdict == verdict && o.claim.comparison == Comparison::equal && o.error_over_tolerance;
+        });
+        if (occurs) names += std::string(to_text(verdict)) + " ";
+    }
+    return names;
+}
+
+std::optional<std::string> line_data(const FigureRow& row, const Campaign& campaign,
+                                     const std::vector<Outcome>& outcomes, Variables& variables) {
+    if (row.data == "slip") {
+        std::vector<CurveName> curves;
+        for (const auto& part : split(row.series, '|')) curves.push_back(parse_curve(part));
+        auto data = slip_data(campaign, outcomes, row.metric, curves);
+        if (data) name_curves(*data, variables);
+        return data;
+    }
+    if (row.data == "stiffness") return stiffness_data(campaign);
+    if (row.data == "agreement") {
+        variables.emplace_back("verdicts", verdicts_present(outcomes));
+        return agreement_data(outcomes);
+    }
+    if (row.data != "series")
+        fail_input(fmt::format(
+            "figures.csv: data '{}' of {} is not known. Use slip, series, snapshot, stiffness or agreement.", row.data,
+            row.name));
+    const auto* run = find_run(campaign, parse_curve(row.series));
+    if (!run) return std::nullopt;
+    const auto& m = run->metrics;
+    variables.insert(variables.end(), {{"run", run->run.name},
+                                       {"window_from", format_number(100 * m.window.from_m)},
+                                       {"window_to", format_number(100 * m.window.to_m)},
+                                       {"torque", format_number(m.torque_Nm)},
+                                       {"pull", format_number(m.net_traction_N)},
+                                       {"sinkage", format_number(m.sinkage_cm)}});
+    return series_data(*run);
+}
+
+/// Any realisation will do for a picture; the first one that kept a snapshot is drawn.
+std::optional<Figure> draw_snapshot(const FigureRow& row, const ReportPaths& paths, const Campaign& campaign) {
+    const auto* first = find_run(campaign, parse_curve(row.series));
+    if (!first) return std::nullopt;
+    for (const auto& run : campaign.runs) {
+        if (run.condition != first->condition) continue;
+        const std::string discs = run.run.directory + "/snapshot_discs.csv";
+        const std::string wheel = run.run.directory + "/snapshot_wheel.csv";
+        if (!fs::exists(discs) || !fs::exists(wheel)) continue;
+        Figure figure = start_figure(row, "png");
+        write_text(paths.out + "/" + figure.data, read_text(discs));
+        figure.caption += fmt::format(" Run {}.", run.run.name);
+        run_gnuplot(paths.chapter + "/" + row.script, {{"style", paths.style}, {"data", discs}, {"wheel", wheel}},
+                    paths.out + "/" + figure.image);
+        return figure;
+    }
+    return std::nullopt;
+}
+
+std::optional<Figure> draw_lines(const FigureRow& row, const ReportPaths& paths, const Campaign& campaign,
+                                 const std::vector<Outcome>& outcomes) {
+    Figure figure = start_figure(row, "svg");
+    const std::string data_path = paths.out + "/" + figure.data;
+    Variables variables{{"style", paths.style}, {"data", data_path}, {"ylabel", row.ylabel}};
+    const auto data = line_data(row, campaign, outcomes, variables);
+    if (!data) return std::nullopt;
+    write_text(data_path, *data);
+    run_gnuplot(paths.chapter + "/" + row.script, variables, paths.out + "/" + figure.image);
+    return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campaign,
+                                 const std::vector<Outcome>& outcomes) {
+    std::vector<Figure> figures;
+    fs::create_directories(fs::path(paths.out) / "figures");
+    for (const auto& row : read_rows(paths.chapter + "/figures.csv")) {
+        const auto figure =
+            row.data == "snapshot" ? draw_snapshot(row, paths, campaign) : draw_lines(row, paths, campaign, outcomes);
+        if (figure) figures.push_back(*figure);
+    }
+    return figures;
+}
+
+}  // namespace ifedem

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "check/campaign.hpp"
+#include "check/document.hpp"
+#include "check/evaluate.hpp"
+
+namespace ifedem {
+
+/// Where a report's parts come from and go to.
+struct ReportPaths {
+    std::string chapter;    ///< the folder of claims.csv: figures.csv, choices.csv and the gnuplot scripts
+    std::string style;      ///< reports/style.gp
+    std::string templates;  ///< reports/templates
+    std::string out;        ///< the report's directory
+};
+
+/// Draws every line of figures.csv whose runs exist into out/figures, with its data as CSV beside it.
+/// A line: name, script, data, metric, series, title, ylabel, caption, style.
+///   data "slip": `metric` against slip for each "gravity load" of `series` (separated by |), with the text's numbers
+///   data "series": torque, net traction and sinkage of the first run of "gravity load slip" against travel
+///   data "snapshot": soil and wheel at the end of the first such run that has a snapshot
+///   data "stiffness": load against deflection;   data "agreement": error over tolerance of all numbers
+[[nodiscard]] std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campaign,
+                                               const std::vector<Outcome>& outcomes);
+
+}  // namespace ifedem

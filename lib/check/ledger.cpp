@@ -1,0 +1,56 @@
+#include "check/ledger.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "check/csv.hpp"
+#include "core/error.hpp"
+
+namespace ifedem {
+
+std::optional<double> LedgerRow::number() const { return parse_number(value); }
+
+bool LedgerRow::needs_verdict() const {
+    return kind == "result" || kind == "ratio" || kind == "experiment" || kind == "qualitative";
+}
+
+Ledger read_ledger(const std::string& path) {
+    const CsvTable table = read_csv(path);
+    const auto column = [&](const char* name) { return table.require(name); };
+    const auto id = column("id"), chapter = column("chapter"), quantity = column("quantity"), symbol = column("symbol"),
+               value = column("value"), units = column("units"), condition = column("condition"),
+               source = column("source"), line = column("line"), kind = column("kind");
+    Ledger ledger;
+    for (const auto& row : table.rows) {
+        const auto chapter_number = parse_number(row.cells[chapter]);
+        const auto line_number = parse_number(row.cells[line]);
+        if (!chapter_number || !line_number)
+            fail_input(fmt::format("{}:{}: chapter and line must be numbers. Correct the row.", path, row.line));
+        LedgerRow entry{row.cells[id],
+                        static_cast<int>(*chapter_number),
+                        row.cells[quantity],
+                        row.cells[symbol],
+                        row.cells[value],
+                        row.cells[units],
+                        row.cells[condition],
+                        row.cells[source],
+                        static_cast<std::size_t>(*line_number),
+                        row.cells[kind]};
+        if (!ledger.emplace(row.cells[id], std::move(entry)).second)
+            fail_input(
+                fmt::format("{}:{}: the id {} stands twice. Give each row its own.", path, row.line, row.cells[id]));
+    }
+    return ledger;
+}
+
+double reading_uncertainty(const std::string& printed, const std::string& units, const std::string& gravity) {
+    if (units == "N" && gravity == "earth") return 1.0;
+    if (units == "N" && gravity == "mars") return 0.5;
+    if (units == "cm") return 0.125;
+    const auto point = printed.find('.');
+    const auto digits = point == std::string::npos ? 0 : printed.size() - point - 1;
+    return 0.5 * std::pow(10.0, -static_cast<double>(digits));
+}
+
+}  // namespace ifedem

@@ -1,0 +1,169 @@
+#include "check/metrics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "check/statistics.hpp"
+#include "core/bitmath.hpp"
+#include "core/error.hpp"
+
+namespace ifedem {
+namespace {
+
+// A hub that the drawbar controller holds lags its target by a few millimetres; a run that stops this little short of
+// the window's end has travelled it. What is missing is cut off, not invented.
+constexpr double end_slack_m = 0.02;
+
+const std::vector<double>* find_column(const Run& run, const std::string& name) {
+    const auto found = run.travel.find(name);
+    return found == run.travel.end() ? nullptr : &found->second;
+}
+
+const std::vector<double>& column(const Run& run, const std::string& name) {
+    const auto* values = find_column(run, name);
+    if (!values || values->size() < 2)
+        fail_input(
+            fmt::format("{}/series.csv: column {} holds no travel (the run did not reach it). Run or resume the case.",
+                        run.directory, name));
+    return *values;
+}
+
+/// When the wheel first was at this distance, interpolated.
+double time_at(std::span<const double> time_s, std::span<const double> x_m, double distance_m) {
+    for (std::size_t k = 1; k < x_m.size(); ++k) {
+        const double before = x_m[k - 1] - x_m[0];
+        const double after = x_m[k] - x_m[0];
+        if (after < distance_m || before > distance_m || after <= before) continue;
+        return time_s[k - 1] + (time_s[k] - time_s[k - 1]) * (distance_m - before) / (after - before);
+    }
+    return time_s.back();
+}
+
+double at_time(std::span<const double> time_s, std::span<const double> y, double t) {
+    const auto above = std::lower_bound(time_s.begin(), time_s.end(), t);
+    if (above == time_s.begin()) return y.front();
+    if (above == time_s.end()) return y.back();
+    const auto k = static_cast<std::size_t>(above - time_s.begin());
+    return y[k - 1] + (y[k] - y[k - 1]) * (t - time_s[k - 1]) / (time_s[k] - time_s[k - 1]);
+}
+
+double slip_radius_m(const Case& c) {
+    return c.wheel.tread_radius_m + (c.travel.slip_radius == SlipRadius::lug_tip ? c.wheel.lug_height_m : 0);
+}
+
+}  // namespace
+
+Window averaging_window(double slip_percent) {
+    return slip_percent <= 60.0 + 1e-9 ? Window{0.4, 0.8} : Window{0.6, 0.8};
+}
+
+double lug_pair_pitch_m(const Case& c) {
+    return 2 * pi * slip_radius_m(c) / static_cast<double>(c.wheel.lug_pairs) * (1 - c.travel.slip_percent / 100);
+}
+
+Window trim(const Window& window, double pitch_m) {
+    // A hair of slack, so that a window of exactly n pitches keeps them all in spite of rounding.
+    const double pitches = std::floor((window.to_m - window.from_m) / pitch_m * (1 + 1e-12));
+    if (!(pitches >= 1))
+        fail_input(fmt::format("Not one lug-pair pitch ({:.3g} m) fits the window {:g}–{:g} m. Widen the window.",
+                               pitch_m, window.from_m, window.to_m));
+    return {window.to_m - pitches * pitch_m, window.to_m};
+}
+
+double mean_between(std::span<const double> time_s, std::span<const double> y, double from_s, double to_s) {
+    double t = from_s;
+    double value = at_time(time_s, y, from_s);
+    double integral = 0;
+    for (std::size_t k = 0; k < time_s.size() && time_s[k] < to_s; ++k) {
+        if (time_s[k] <= from_s) continue;
+        integral += 0.5 * (value + y[k]) * (time_s[k] - t);
+        t = time_s[k];
+        value = y[k];
+    }
+    integral += 0.5 * (value + at_time(time_s, y, to_s)) * (to_s - t);
+    return integral / (to_s - from_s);
+}
+
+RunMetrics measure(const Run& run, const Window& window) {
+    const auto& time = column(run, "time_s");
+    const auto& x = column(run, "wheel_x_m");
+    const double reached = *std::max_element(x.begin(), x.end()) - x.front();
+    if (reached < window.to_m - end_slack_m)
+        fail_input(
+            fmt::format("{}: the wheel travelled {:.3f} m of the {:.2f} m that the window needs. Resume or rerun it.",
+                        run.directory, reached, window.to_m));
+    RunMetrics m;
+    m.window = trim({window.from_m, std::min(window.to_m, reached)}, lug_pair_pitch_m(run.c));
+    const double from = time_at(time, x, m.window.from_m);
+    const double to = time_at(time, x, m.window.to_m);
+    const auto mean_of = [&](const std::vector<double>& y) { return mean_between(time, y, from, to); };
+    const auto mean_or = [&](const char* name, double otherwise) {
+        const auto* y = find_column(run, name);
+        return y ? mean_of(*y) : otherwise;
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+
+    const auto& torque = column(run, "torque_Nm");
+    const auto& radius = column(run, "effective_radius_m");
+    std::vector<double> instant(torque.size());
+    std::vector<double> pull_squared(torque.size());
+    const auto& pull = column(run, "net_traction_N");
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+        instant[k] = torque[k] / radius[k];
+        pull_squared[k] = pull[k] * pull[k];
+        if (time[k] >= from && time[k] <= to) smallest = std::min(smallest, radius[k]);
+    }
+    m.torque_Nm = mean_of(torque);
+    m.effective_radius_m = mean_of(radius);
+    m.gross_tractive_effort_N = m.torque_Nm / m.effective_radius_m;
+    m.gross_tractive_effort_instant_N = mean_of(instant);
+    m.gross_tractive_effort_minimum_N = m.torque_Nm / smallest;
+    m.net_traction_N = mean_of(pull);
+    m.motion_resistance_N = m.net_traction_N - m.gross_tractive_effort_N;
+    m.drawbar_deviation_N = std::sqrt(std::max(0.0, mean_of(pull_squared) - m.net_traction_N * m.net_traction_N));
+    m.vertical_force_N = mean_of(column(run, "vertical_force_N"));
+    m.sinkage_cm = 100 * mean_of(column(run, "sinkage_m"));
+    m.deflection_mm = 1e3 * (run.c.wheel.tread_radius_m - m.effective_radius_m);
+    m.direct_thrust_N = mean_or("fx_positive_N", nan);
+    m.direct_resistance_N = mean_or("fx_negative_N", nan);
+    const double speed = mean_or("hub_speed_m_s", run.c.travel.speed_m_s);
+    const double commanded = run.c.travel.speed_m_s / (slip_radius_m(run.c) * (1 - run.c.travel.slip_percent / 100));
+    const double omega = mean_or("commanded_omega_rad_s", commanded);
+    m.measured_slip_percent = 100 * (1 - speed / (m.effective_radius_m * omega));
+    m.horizontal_imbalance_N = m.direct_thrust_N + m.direct_resistance_N - m.net_traction_N;
+    m.vertical_imbalance_N = m.vertical_force_N - run.c.wheel.load_N;
+    return m;
+}
+
+std::span<const MetricInfo> metric_table() {
+    static constexpr std::array<MetricInfo, 15> table{{
+        {"gross_tractive_effort_N", "N", "H", &RunMetrics::gross_tractive_effort_N},
+        {"gross_tractive_effort_instant_N", "N", "⟨T/r_e⟩", &RunMetrics::gross_tractive_effort_instant_N},
+        {"gross_tractive_effort_minimum_N", "N", "⟨T⟩/min r_e", &RunMetrics::gross_tractive_effort_minimum_N},
+        {"net_traction_N", "N", "P_d", &RunMetrics::net_traction_N},
+        {"motion_resistance_N", "N", "R", &RunMetrics::motion_resistance_N},
+        {"direct_thrust_N", "N", "ΣF_x⁺", &RunMetrics::direct_thrust_N},
+        {"direct_resistance_N", "N", "ΣF_x⁻", &RunMetrics::direct_resistance_N},
+        {"vertical_force_N", "N", "ΣF_y", &RunMetrics::vertical_force_N},
+        {"torque_Nm", "N m", "T", &RunMetrics::torque_Nm},
+        {"sinkage_cm", "cm", "z", &RunMetrics::sinkage_cm},
+        {"effective_radius_m", "m", "r_e", &RunMetrics::effective_radius_m},
+        {"deflection_mm", "mm", "δ", &RunMetrics::deflection_mm},
+        {"measured_slip_percent", "%", "i", &RunMetrics::measured_slip_percent},
+        {"horizontal_imbalance_N", "N", "ΣF_x − P_d", &RunMetrics::horizontal_imbalance_N},
+        {"vertical_imbalance_N", "N", "ΣF_y − W", &RunMetrics::vertical_imbalance_N},
+    }};
+    return table;
+}
+
+const MetricInfo* find_metric(std::string_view name) {
+    for (const auto& info : metric_table())
+        if (info.name == name) return &info;
+    return nullptr;
+}
+
+}  // namespace ifedem

@@ -1,0 +1,52 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/case.hpp"
+
+namespace ifedem {
+
+/// The travel stage of series.csv, a column a name. Columns that are not numbers are left out.
+using Series = std::map<std::string, std::vector<double>>;
+
+/// One line of run.csv.
+struct RunValue {
+    std::string name;
+    std::string value;
+    std::string unit;
+};
+
+/// A run directory as `ifedem run` leaves it.
+struct Run {
+    std::string directory;
+    std::string name;  ///< last part of the directory
+    Case c;
+    Series travel;
+    std::vector<RunValue> values;
+
+    /// A value of run.csv as text, "" if it is not there.
+    [[nodiscard]] std::string text(const std::string& value_name) const;
+};
+
+/// What a run stands for in a claim.
+struct Condition {
+    std::string wheel;    ///< B3 or B6 (by the Young's modulus of WI, Table 3-2), rigid, or "other"
+    std::string gravity;  ///< earth, mars, or the number in m/s²
+    double load_N = 0;
+    double slip_percent = 0;
+    auto operator<=>(const Condition&) const = default;
+};
+
+[[nodiscard]] Condition condition_of(const Case& c);
+
+/// "B3, Earth, 170 N, slip 60 %".
+[[nodiscard]] std::string to_text(const Condition& condition);
+
+/// "Earth" for "earth".
+[[nodiscard]] std::string capitalised(std::string word);
+
+/// Reads case.toml, series.csv and run.csv. Throws Error(io) for a missing file, Error(bad_input) for a faulty one.
+[[nodiscard]] Run read_run(const std::string& directory);
+
+}  // namespace ifedem

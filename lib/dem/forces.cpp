@@ -1,0 +1,151 @@
+#include "dem/forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ifedem {
+namespace {
+
+/// One block's pairs in list order; forces go to the block's own slots.
+void add_block_pairs(const DemConstants& k, const Block& block, const std::vector<Disc>& disc,
+                     std::vector<double>& spring, DemWorkspace& work, double spring_step_s) {
+    std::fill(work.force.begin() + block.force_begin, work.force.begin() + block.force_end, DiscForce{});
+    for (std::uint32_t n = block.pair_begin; n < block.pair_end; ++n) {
+        const Disc& a = disc[work.i[n]];
+        const Disc& b = disc[work.j[n]];
+        const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
+        const double distance = std::sqrt(dx * dx + dy * dy);
+        const double overlap = (a.radius_m + b.radius_m) - distance;
+        if (overlap <= 0) {
+            spring[n] = 0;
+            continue;
+        }
+        const double inverse = 1.0 / distance;
+        const double nx = dx * inverse, ny = dy * inverse;
+        const double ux = a.vx_m_s - b.vx_m_s, uy = a.vy_m_s - b.vy_m_s;
+        const double half_overlap = 0.5 * overlap;
+        const double arm_a = a.radius_m - half_overlap, arm_b = b.radius_m - half_overlap;
+        const double approach = ux * nx + uy * ny;
+        const double sliding = (uy * nx - ux * ny) + (a.omega_rad_s * arm_a + b.omega_rad_s * arm_b);
+        const double half_chord = 0.5 * inverse * root(chord_product(overlap, a.radius_m, b.radius_m));
+        const auto f = contact_forces(k.soil, overlap, approach, sliding, work.damping_Ns_m[n], spring[n],
+                                      spring_step_s, half_chord);
+        spring[n] = f.tangential_spring_m;
+        const double fx = f.normal_N * nx - f.tangential_N * ny;  // on b; the opposite on a
+        const double fy = f.normal_N * ny + f.tangential_N * nx;
+        DiscForce& on_a = work.force[work.slot_i[n]];
+        on_a.x_N -= fx, on_a.y_N -= fy;
+        on_a.moment_Nm -= f.tangential_N * arm_a, on_a.rolling_limit_Nm += f.rolling_limit_Nm;
+        DiscForce& on_b = work.force[work.slot_j[n]];
+        on_b.x_N += fx, on_b.y_N += fy;
+        on_b.moment_Nm -= f.tangential_N * arm_b, on_b.rolling_limit_Nm += f.rolling_limit_Nm;
+    }
+}
+
+void merge_block(const Block& block, DemWorkspace& work) {
+    for (std::uint32_t n = block.merge_begin; n < block.merge_end; ++n) {
+        const DiscForce& from = work.force[work.merge[n].slot];
+        DiscForce& to = work.force[work.merge[n].target];
+        to.x_N += from.x_N, to.y_N += from.y_N;
+        to.moment_Nm += from.moment_Nm, to.rolling_limit_Nm += from.rolling_limit_Nm;
+    }
+}
+
+}  // namespace
+
+void add_pair_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s) {
+    const auto blocks = static_cast<std::int64_t>(work.block.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t b = 0; b < blocks; ++b)
+        add_block_pairs(k, work.block[static_cast<std::size_t>(b)], state.discs.disc, state.pairs.tangential_m, work,
+                        spring_step_s);
+#pragma omp parallel for schedule(static)
+    for (std::int64_t b = 0; b < blocks; ++b) merge_block(work.block[static_cast<std::size_t>(b)], work);
+}
+
+BoundaryForce boundary_force(const ContactConstants& k, double damping_ratio, const Disc& disc, Vec2 normal,
+                             double centre_distance_m, double opposite_radius_m, Vec2 surface_velocity_m_s,
+                             double old_spring_m, double spring_step_s) {
+    BoundaryForce out;
+    out.overlap_m = (disc.radius_m + opposite_radius_m) - centre_distance_m;
+    if (out.overlap_m <= 0) return out;
+    // A straight surface is the limit of a large circle: its chord is that of the disc cut by the line.
+    const double product = opposite_radius_m > 0
+                               ? chord_product(out.overlap_m, disc.radius_m, opposite_radius_m)
+                               : out.overlap_m * (2.0 * disc.radius_m - out.overlap_m);
+    const double half_chord =
+        opposite_radius_m > 0 ? 0.5 * root(max_of(product, 0.0)) / centre_distance_m : root(max_of(product, 0.0));
+    const double arm = opposite_radius_m > 0 ? disc.radius_m - 0.5 * out.overlap_m : centre_distance_m;
+    const Vec2 tangent{-normal.y, normal.x};
+    const Vec2 u = Vec2{disc.vx_m_s, disc.vy_m_s} - surface_velocity_m_s;
+    const double damping = dashpot_Ns_m(damping_ratio, k.normal_stiffness_N_m, 1.0 / disc.inverse_mass_1_kg);
+    const auto f = contact_forces(k, out.overlap_m, dot(u, normal), dot(u, tangent) + disc.omega_rad_s * arm, damping,
+                                  old_spring_m, spring_step_s, half_chord);
+    out.force_N = Vec2{0, 0} - (f.normal_N * normal + f.tangential_N * tangent);
+    out.moment_Nm = -f.tangential_N * arm;
+    out.rolling_limit_Nm = f.rolling_limit_Nm;
+    out.tangential_spring_m = f.tangential_spring_m;
+    out.normal_N = f.normal_N, out.tangential_N = f.tangential_N, out.arm_m = arm;
+    return out;
+}
+
+WallSide find_wall_side(const DemConstants& k, std::uint32_t wall, const Disc& d) {
+    const Vec2 centre{d.x_m, d.y_m};
+    if (!k.flat_walls.empty()) {
+        const Vec2 normal = Vec2{0, 0} - k.flat_walls[wall].normal;
+        return {normal, dot(k.flat_walls[wall].point_m - centre, normal), 0.0};
+    }
+    const Vec2 to_wall = k.wall_discs[wall].centre_m - centre;
+    const double distance = norm(to_wall);
+    return {(1.0 / distance) * to_wall, distance, k.wall_discs[wall].radius_m};
+}
+
+void add_wall_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s) {
+    for (std::size_t n = 0; n < work.wall.size(); ++n) {
+        const Disc& d = state.discs.disc[work.wall[n].position];
+        const std::uint32_t w = work.wall[n].wall;
+        double& spring = state.wall_contacts[n].tangential_m;
+        const WallSide side = find_wall_side(k, w, d);
+        const BoundaryForce f = boundary_force(k.wall, k.damping_ratio, d, side.normal, side.distance_m,
+                                               side.opposite_radius_m, {0, 0}, spring, spring_step_s);
+        spring = f.tangential_spring_m;
+        DiscForce& to = work.force[work.force_slot[work.wall[n].position]];
+        to.x_N += f.force_N.x, to.y_N += f.force_N.y;
+        to.moment_Nm += f.moment_Nm, to.rolling_limit_Nm += f.rolling_limit_Nm;
+    }
+}
+
+double apply_rolling(RollingScheme rolling, double omega_free_rad_s, double omega_now_rad_s,
+                     double largest_change_rad_s) {
+    if (rolling == RollingScheme::sign) {
+        // Eq 2.18 to the letter: the moment follows the sign of ω at the beginning of the step, whatever comes of it.
+        if (omega_now_rad_s > 0) return omega_free_rad_s - largest_change_rad_s;
+        if (omega_now_rad_s < 0) return omega_free_rad_s + largest_change_rad_s;
+        return omega_free_rad_s;
+    }
+    const double slower = max_of(std::fabs(omega_free_rad_s) - largest_change_rad_s, 0.0);
+    return omega_free_rad_s < 0 ? -slower : slower;
+}
+
+void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work) {
+    const auto count = static_cast<std::int64_t>(state.discs.disc.size());
+    const double dt = k.step_s;
+#pragma omp parallel for schedule(static)
+    for (std::int64_t n = 0; n < count; ++n) {
+        const auto p = static_cast<std::size_t>(n);
+        Disc& d = state.discs.disc[p];
+        const DiscForce& f = work.force[work.force_slot[p]];
+        const double impulse = dt * d.inverse_mass_1_kg;
+        d.vx_m_s += impulse * f.x_N;
+        d.vy_m_s += impulse * f.y_N - dt * k.gravity_m_s2;
+        // I = m r²/2
+        const double spin = 2.0 * impulse / (d.radius_m * d.radius_m);
+        d.omega_rad_s = apply_rolling(k.rolling, d.omega_rad_s + spin * f.moment_Nm, d.omega_rad_s,
+                                      spin * f.rolling_limit_Nm);
+        d.x_m += dt * d.vx_m_s;
+        d.y_m += dt * d.vy_m_s;
+        d.angle_rad += dt * d.omega_rad_s;
+    }
+}
+
+}  // namespace ifedem

@@ -1,0 +1,329 @@
+#include "dem/neighbour_lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "dem/forces.hpp"
+
+namespace ifedem {
+namespace {
+
+/// Cells as wide as the largest reach of a pair, numbered column by column so that a wheel rut stays near in memory.
+struct Grid {
+    double x0 = 0, y0 = 0, inverse_size = 0;
+    std::uint32_t columns = 0, rows = 0;
+    std::vector<std::uint32_t> begin;  ///< per cell + 1
+    std::vector<std::uint32_t> item;   ///< list positions, ascending within a cell
+
+    [[nodiscard]] std::uint32_t column(double x) const {
+        return std::min(columns - 1, static_cast<std::uint32_t>(std::max(0.0, (x - x0) * inverse_size)));
+    }
+    [[nodiscard]] std::uint32_t row(double y) const {
+        return std::min(rows - 1, static_cast<std::uint32_t>(std::max(0.0, (y - y0) * inverse_size)));
+    }
+    [[nodiscard]] std::uint32_t cell(const Disc& d) const { return column(d.x_m) * rows + row(d.y_m); }
+};
+
+Grid make_grid(const std::vector<Disc>& discs, double size) {
+    Grid g;
+    double x1 = discs[0].x_m, y1 = discs[0].y_m;
+    g.x0 = x1, g.y0 = y1;
+    for (const Disc& d : discs) {
+        g.x0 = std::min(g.x0, d.x_m), x1 = std::max(x1, d.x_m);
+        g.y0 = std::min(g.y0, d.y_m), y1 = std::max(y1, d.y_m);
+    }
+    // A lost disc must not ask for the memory of a planet: the health check will name it.
+    constexpr double most_cells_a_side = 4096;
+    g.inverse_size = 1.0 / std::max(size, std::max(x1 - g.x0, y1 - g.y0) / most_cells_a_side);
+    g.columns = static_cast<std::uint32_t>((x1 - g.x0) * g.inverse_size) + 1;
+    g.rows = static_cast<std::uint32_t>((y1 - g.y0) * g.inverse_size) + 1;
+    g.begin.assign(static_cast<std::size_t>(g.columns) * g.rows + 1, 0);
+    g.item.resize(discs.size());
+    for (const Disc& d : discs) ++g.begin[g.cell(d) + 1];
+    for (std::size_t c = 1; c < g.begin.size(); ++c) g.begin[c] += g.begin[c - 1];
+    std::vector<std::uint32_t> next(g.begin.begin(), g.begin.end() - 1);
+    for (std::uint32_t p = 0; p < discs.size(); ++p) g.item[next[g.cell(discs[p])]++] = p;
+    return g;
+}
+
+template <class T>
+void permute(std::vector<T>& items, const std::vector<std::uint32_t>& order) {
+    if (items.empty()) return;
+    std::vector<T> moved(items.size());
+    for (std::size_t p = 0; p < order.size(); ++p) moved[p] = items[order[p]];
+    items.swap(moved);
+}
+
+/// A pair's spring, filed under its lower id.
+struct KeptSpring {
+    std::uint32_t other_id = 0;
+    double tangential_m = 0;
+};
+
+/// Springs by lower disc id; few a disc, so a linear search finds them.
+struct KeptSprings {
+    std::vector<std::uint32_t> begin;
+    std::vector<KeptSpring> spring;
+
+    [[nodiscard]] double find(std::uint32_t id_a, std::uint32_t id_b) const {
+        const std::uint32_t low = std::min(id_a, id_b), high = std::max(id_a, id_b);
+        for (std::uint32_t s = begin[low]; s < begin[low + 1]; ++s)
+            if (spring[s].other_id == high) return spring[s].tangential_m;
+        return 0.0;
+    }
+};
+
+KeptSprings keep_springs(const State& state) {
+    const auto& p = state.pairs;
+    const auto& id = state.discs.id;
+    KeptSprings kept;
+    kept.begin.assign(id.size() + 1, 0);
+    const auto each_loaded = [&](auto&& visit) {
+        for (std::size_t n = 0; n < p.inner.size(); ++n) {
+            if (p.tangential_m[n] == 0.0) continue;
+            const std::uint32_t a = id[p.i[p.inner[n]]], b = id[p.j[p.inner[n]]];
+            visit(std::min(a, b), std::max(a, b), p.tangential_m[n]);
+        }
+    };
+    each_loaded([&](std::uint32_t low, std::uint32_t, double) { ++kept.begin[low + 1]; });
+    for (std::size_t k = 1; k < kept.begin.size(); ++k) kept.begin[k] += kept.begin[k - 1];
+    kept.spring.resize(kept.begin.back());
+    std::vector<std::uint32_t> next(kept.begin.begin(), kept.begin.end() - 1);
+    each_loaded([&](std::uint32_t low, std::uint32_t high, double u) { kept.spring[next[low]++] = {high, u}; });
+    return kept;
+}
+
+double distance_squared(const Disc& a, const Disc& b) {
+    const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
+    return dx * dx + dy * dy;
+}
+
+bool is_within(const Disc& a, const Disc& b, double skin_m) {
+    const double reach = a.radius_m + b.radius_m + skin_m;
+    return distance_squared(a, b) <= reach * reach;
+}
+
+/// All pairs within the outer skin, sorted by i then j.
+void find_outer_pairs(const Grid& grid, State& state) {
+    const auto& disc = state.discs.disc;
+    auto& p = state.pairs;
+    p.i.clear(), p.j.clear();
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t i = 0; i < disc.size(); ++i) {
+        near.clear();
+        const std::uint32_t cx = grid.column(disc[i].x_m), cy = grid.row(disc[i].y_m);
+        for (std::uint32_t x = cx == 0 ? 0 : cx - 1; x <= std::min(cx + 1, grid.columns - 1); ++x) {
+            const std::uint32_t row0 = cy == 0 ? 0 : cy - 1, row1 = std::min(cy + 1, grid.rows - 1);
+            const std::uint32_t first = grid.begin[x * grid.rows + row0], last = grid.begin[x * grid.rows + row1 + 1];
+            // Cells of a column follow each other and the discs are sorted by cell: positions ascend.
+            for (std::uint32_t n = std::max(first, i + 1); n < last; ++n)
+                if (is_within(disc[i], disc[n], outer_skin_m)) near.push_back(n);
+        }
+        p.i.insert(p.i.end(), near.size(), i);
+        p.j.insert(p.j.end(), near.begin(), near.end());
+    }
+}
+
+void note_positions(const std::vector<Disc>& disc, std::vector<Vec2>& reference) {
+    reference.resize(disc.size());
+    for (std::size_t p = 0; p < disc.size(); ++p) reference[p] = {disc[p].x_m, disc[p].y_m};
+}
+
+void note_ids(const State& state, DemWorkspace& work) {
+    work.position_of_id.resize(state.discs.id.size());
+    for (std::uint32_t p = 0; p < state.discs.id.size(); ++p) work.position_of_id[state.discs.id[p]] = p;
+}
+
+/// Sorted by list position, then surface: the order in which contacts are computed.
+void sort_by_position(std::vector<BoundaryContact>& contacts, const DemWorkspace& work) {
+    std::sort(contacts.begin(), contacts.end(), [&](const BoundaryContact& a, const BoundaryContact& b) {
+        const std::uint32_t pa = work.position_of_id[a.disc], pb = work.position_of_id[b.disc];
+        return pa != pb ? pa < pb : a.surface < b.surface;  // unique keys: no ties
+    });
+}
+
+void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work) {
+    auto& discs = state.discs;
+    const KeptSprings kept = keep_springs(state);
+    const double size = 2 * k.largest_radius_m + outer_skin_m;
+    const Grid before = make_grid(discs.disc, size);
+    permute(discs.disc, before.item);
+    permute(discs.id, before.item);
+    permute(discs.acceleration, before.item);
+    const Grid grid = make_grid(discs.disc, size);
+    find_outer_pairs(grid, state);
+    note_positions(discs.disc, state.pairs.reference_m);
+    note_ids(state, work);
+    sort_by_position(state.wall_contacts, work);
+    sort_by_position(state.wheel_contacts, work);
+    // Until the inner list is chosen, it is the whole outer list with the springs carried over.
+    auto& p = state.pairs;
+    p.inner.resize(p.i.size());
+    std::iota(p.inner.begin(), p.inner.end(), 0U);
+    p.tangential_m.resize(p.i.size());
+    for (std::size_t n = 0; n < p.i.size(); ++n) p.tangential_m[n] = kept.find(discs.id[p.i[n]], discs.id[p.j[n]]);
+    ++work.rebuilds;
+}
+
+void refresh_inner_list(State& state, DemWorkspace& work) {
+    auto& p = state.pairs;
+    const auto& disc = state.discs.disc;
+    std::vector<double> spring(p.i.size(), 0.0);
+    for (std::size_t n = 0; n < p.inner.size(); ++n) spring[p.inner[n]] = p.tangential_m[n];
+    p.inner.clear(), p.tangential_m.clear();
+    for (std::uint32_t n = 0; n < p.i.size(); ++n) {
+        if (!is_within(disc[p.i[n]], disc[p.j[n]], inner_skin_m)) continue;
+        p.inner.push_back(n);
+        p.tangential_m.push_back(spring[n]);
+    }
+    note_positions(disc, p.inner_reference_m);
+    ++work.refreshes;
+}
+
+/// Signed gap between a disc and a wall.
+double wall_gap(const DemConstants& k, std::uint32_t wall, const Disc& d) {
+    const WallSide side = find_wall_side(k, wall, d);
+    return side.distance_m - side.opposite_radius_m - d.radius_m;
+}
+
+/// Candidates for wall contact in order of position and wall, springs carried over.
+void refresh_wall_contacts(const DemConstants& k, State& state, const DemWorkspace& work) {
+    const auto& disc = state.discs.disc;
+    std::vector<BoundaryContact> found;
+    std::size_t old = 0;
+    const auto& before = state.wall_contacts;
+    const auto walls = static_cast<std::uint32_t>(k.flat_walls.size() + k.wall_discs.size());
+    double inside_x0 = -1e300, inside_x1 = 1e300, inside_y0 = -1e300;  // quick reject for walls of discs
+    if (!k.wall_discs.empty()) {
+        inside_x0 = 1e300, inside_x1 = -1e300, inside_y0 = 1e300;
+        for (const WallDisc& w : k.wall_discs) {
+            inside_x0 = std::min(inside_x0, w.centre_m.x), inside_x1 = std::max(inside_x1, w.centre_m.x);
+            inside_y0 = std::min(inside_y0, w.centre_m.y);
+        }
+    }
+    const double far = 2 * k.largest_radius_m + 2 * inner_skin_m;
+    for (std::uint32_t p = 0; p < disc.size(); ++p) {
+        if (!k.wall_discs.empty() && disc[p].x_m - inside_x0 > far && inside_x1 - disc[p].x_m > far &&
+            disc[p].y_m - inside_y0 > far)
+            continue;
+        for (std::uint32_t w = 0; w < walls; ++w) {
+            if (wall_gap(k, w, disc[p]) > inner_skin_m) continue;
+            BoundaryContact contact{state.discs.id[p], w, 0.0};
+            while (old < before.size()) {
+                const std::uint32_t at = work.position_of_id[before[old].disc];
+                if (at > p || (at == p && before[old].surface >= w)) break;
+                ++old;
+            }
+            if (old < before.size() && before[old].disc == contact.disc && before[old].surface == w)
+                contact.tangential_m = before[old].tangential_m;
+            found.push_back(contact);
+        }
+    }
+    state.wall_contacts.swap(found);
+}
+
+void unpack_walls(const State& state, DemWorkspace& work) {
+    work.wall.clear();
+    for (const BoundaryContact& c : state.wall_contacts) work.wall.push_back({work.position_of_id[c.disc], c.surface});
+}
+
+void unpack_pairs(const DemConstants& k, const State& state, DemWorkspace& work) {
+    const auto& p = state.pairs;
+    const auto& disc = state.discs.disc;
+    const std::size_t n_pairs = p.inner.size();
+    work.i.resize(n_pairs), work.j.resize(n_pairs), work.damping_Ns_m.resize(n_pairs);
+    for (std::size_t n = 0; n < n_pairs; ++n) {
+        work.i[n] = p.i[p.inner[n]], work.j[n] = p.j[p.inner[n]];
+        const double reduced =
+            1.0 / (disc[work.i[n]].inverse_mass_1_kg + disc[work.j[n]].inverse_mass_1_kg);
+        work.damping_Ns_m[n] = dashpot_Ns_m(k.damping_ratio, k.soil.normal_stiffness_N_m, reduced);
+    }
+}
+
+/// Cuts the discs into blocks and gives every block its force slots; see lib/dem/README.md, "Blocks".
+void lay_out_blocks(const State& state, DemWorkspace& work) {
+    const auto count = static_cast<std::uint32_t>(state.discs.disc.size());
+    work.block.clear();
+    work.slot_i.resize(work.i.size()), work.slot_j.resize(work.i.size());
+    work.force_slot.resize(count);
+    std::vector<std::vector<Merge>> incoming((count + discs_per_block - 1) / discs_per_block);
+    std::vector<std::uint32_t> halo;
+    std::uint32_t pair = 0, slot = 0;
+    for (std::uint32_t begin = 0; begin < count; begin += discs_per_block) {
+        Block b;
+        b.disc_begin = begin, b.disc_end = std::min<std::uint32_t>(count, begin + discs_per_block);
+        b.pair_begin = pair, b.force_begin = slot;
+        halo.clear();
+        while (pair < work.i.size() && work.i[pair] < b.disc_end) {
+            if (work.j[pair] >= b.disc_end) halo.push_back(work.j[pair]);
+            ++pair;
+        }
+        b.pair_end = pair;
+        std::sort(halo.begin(), halo.end());
+        halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
+        const std::uint32_t own = b.disc_end - b.disc_begin;
+        b.force_end = slot + own + static_cast<std::uint32_t>(halo.size());
+        const auto slot_of = [&](std::uint32_t position) {
+            if (position < b.disc_end) return slot + position - b.disc_begin;
+            const auto at = std::lower_bound(halo.begin(), halo.end(), position) - halo.begin();
+            return slot + own + static_cast<std::uint32_t>(at);
+        };
+        for (std::uint32_t d = b.disc_begin; d < b.disc_end; ++d) work.force_slot[d] = slot_of(d);
+        for (std::uint32_t n = b.pair_begin; n < b.pair_end; ++n)
+            work.slot_i[n] = slot_of(work.i[n]), work.slot_j[n] = slot_of(work.j[n]);
+        for (const std::uint32_t h : halo) incoming[h / discs_per_block].push_back({slot_of(h), h});
+        slot = b.force_end;
+        work.block.push_back(b);
+    }
+    work.force.resize(slot);
+    work.merge.clear();
+    for (std::size_t n = 0; n < work.block.size(); ++n) {
+        work.block[n].merge_begin = static_cast<std::uint32_t>(work.merge.size());
+        for (const Merge& m : incoming[n]) work.merge.push_back({m.slot, work.force_slot[m.target]});
+        work.block[n].merge_end = static_cast<std::uint32_t>(work.merge.size());
+    }
+}
+
+void unpack(const DemConstants& k, const State& state, DemWorkspace& work) {
+    unpack_pairs(k, state, work);
+    unpack_walls(state, work);
+    lay_out_blocks(state, work);
+}
+
+}  // namespace
+
+void update_lists(const DemConstants& k, State& state, DemWorkspace& work) {
+    if (!work.rebuild_outer && !work.refresh_inner) return;
+    if (work.rebuild_outer) rebuild_outer_list(k, state, work);
+    refresh_inner_list(state, work);
+    refresh_wall_contacts(k, state, work);
+    unpack(k, state, work);
+    work.rebuild_outer = work.refresh_inner = false;
+}
+
+void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
+    note_ids(state, work);
+    work.rebuild_outer = work.refresh_inner = state.pairs.reference_m.empty();
+    if (work.rebuild_outer) return;
+    unpack(k, state, work);
+    watch_movement(state, work);
+}
+
+void watch_movement(const State& state, DemWorkspace& work) {
+    const auto& disc = state.discs.disc;
+    const auto moved = [&](const std::vector<Vec2>& reference, double limit) {
+        for (std::size_t p = 0; p < disc.size(); ++p) {
+            const double dx = disc[p].x_m - reference[p].x, dy = disc[p].y_m - reference[p].y;
+            if (!(dx * dx + dy * dy <= limit * limit)) return true;  // written so that NaN counts as moved
+        }
+        return false;
+    };
+    if (moved(state.pairs.inner_reference_m, 0.5 * inner_skin_m)) {
+        work.refresh_inner = true;
+        // A pair within the inner skin now was within the outer one then, if neither disc has moved further than this.
+        if (moved(state.pairs.reference_m, 0.5 * (outer_skin_m - inner_skin_m))) work.rebuild_outer = true;
+    }
+}
+
+}  // namespace ifedem

@@ -1,0 +1,132 @@
+#include "model/case_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/bitmath.hpp"
+
+namespace ifedem {
+namespace {
+
+using Faults = std::vector<RuleFault>;
+
+void check_soil(const Case& c, Faults& faults) {
+    const SoilCase& soil = c.soil;
+    if (soil.radii_m.size() != soil.radii_shares.size()) {
+        faults.push_back(
+            {{"soil.radii_m", "soil.radii_shares"},
+             fmt::format("soil.radii_m has {} numbers and soil.radii_shares {} (each radius has its share). "
+                         "Give both the same length?",
+                         soil.radii_m.size(), soil.radii_shares.size())});
+    }
+    const double largest = *std::max_element(soil.radii_m.begin(), soil.radii_m.end());
+    if (!(2 * largest < c.bed.length_m)) {
+        faults.push_back({{"bed.length_m", "soil.radii_m"},
+                          fmt::format("the largest disc does not fit into the bed (diameter {} m, bed.length_m = {}). "
+                                      "Lengthen the bed?",
+                                      2 * largest, c.bed.length_m)});
+    }
+}
+
+void check_wheel(const WheelCase& wheel, Faults& faults) {
+    const double inner = wheel.tread_radius_m - wheel.surface_thickness_m;
+    if (!(wheel.rim_radius_m < inner)) {
+        faults.push_back(
+            {{"wheel.rim_radius_m", "wheel.tread_radius_m", "wheel.surface_thickness_m"},
+             fmt::format("the rim leaves no room for the intermediate layer (wheel.rim_radius_m = {} must be "
+                         "less than tread_radius_m - surface_thickness_m = {}). Make the rim smaller?",
+                         wheel.rim_radius_m, inner)});
+    }
+    const double pair = 2 * wheel.lug_thickness_m + wheel.lug_gap_m;
+    const double round = 2 * pi * wheel.tread_radius_m;
+    if (!(pair * static_cast<double>(wheel.lug_pairs) < round)) {
+        faults.push_back(
+            {{"wheel.lug_pairs", "wheel.lug_thickness_m", "wheel.lug_gap_m", "wheel.tread_radius_m"},
+             fmt::format("the lug pairs do not fit round the tread ({} pairs of 2 lug_thickness_m + lug_gap_m = "
+                         "{:.4g} m, and {:.4g} m of tread). Use fewer or smaller lugs?",
+                         wheel.lug_pairs, pair, round)});
+    }
+    constexpr double most_elements = 1e6;
+    const auto columns = static_cast<double>((2 + wheel.gap_columns + wheel.pitch_columns) *
+                                             std::max<std::int64_t>(wheel.lug_pairs, 12));
+    const auto rings = static_cast<double>(wheel.rim_rings + wheel.intermediate_rings + wheel.surface_rings);
+    if (!(columns * rings <= most_elements)) {
+        faults.push_back(
+            {{"wheel.gap_columns", "wheel.pitch_columns", "wheel.rim_rings", "wheel.intermediate_rings",
+              "wheel.surface_rings", "wheel.lug_pairs"},
+             fmt::format("the wheel would have {:.3g} elements (at most {:g}). Use fewer rings or columns?",
+                         columns * rings, most_elements)});
+    }
+}
+
+void check_travel(const Case& c, Faults& faults) {
+    const double radius = c.wheel.tread_radius_m + (c.wheel.lug_pairs > 0 ? c.wheel.lug_height_m : 0.0);
+    if (!(c.travel.start_x_m - radius >= 0)) {
+        faults.push_back(
+            {{"travel.start_x_m", "wheel.tread_radius_m", "wheel.lug_height_m"},
+             fmt::format("the wheel starts inside the left wall (travel.start_x_m = {} is less than its radius "
+                         "over the lugs, {} m). Start further right?",
+                         c.travel.start_x_m, radius)});
+    }
+    const double end = c.travel.start_x_m + c.travel.distance_m + radius;
+    if (!(end <= c.bed.length_m)) {
+        faults.push_back(
+            {{"travel.distance_m", "travel.start_x_m", "bed.length_m", "wheel.tread_radius_m"},
+             fmt::format("the wheel ends inside the right wall (its front comes to x = {} m, bed.length_m = {}). "
+                         "Shorten travel.distance_m or lengthen the bed?",
+                         end, c.bed.length_m)});
+    }
+}
+
+void check_times(const Case& c, Faults& faults) {
+    const std::pair<std::string_view, double> intervals[] = {
+        {"record.series_interval_s", c.record.series_interval_s},
+        {"record.frame_interval_s", c.record.frame_interval_s},
+        {"record.checkpoint_interval_s", c.record.checkpoint_interval_s},
+        {"record.energy_interval_s", c.record.energy_interval_s}};
+    for (const auto& [key, interval] : intervals) {
+        if (interval == 0 || interval >= c.time_step_s) continue;
+        faults.push_back(
+            {{key, "time_step_s"},
+             fmt::format("{} = {} is less than time_step_s = {} (nothing happens between steps). Lengthen it?", key,
+                         interval, c.time_step_s)});
+    }
+    constexpr double most_steps = 1e10;
+    const double end_s = c.stages.consolidation_s + c.stages.sinkage_s + c.travel.acceleration_time_s +
+                         c.travel.distance_m / c.travel.speed_m_s;
+    if (!(end_s / c.time_step_s <= most_steps)) {
+        faults.push_back(
+            {{"time_step_s", "travel.speed_m_s", "travel.distance_m", "stages.consolidation_s", "stages.sinkage_s"},
+             fmt::format("the run would take {:.3g} steps (at most {:g}). Is time_step_s in seconds?",
+                         end_s / c.time_step_s, most_steps)});
+    }
+}
+
+}  // namespace
+
+std::optional<std::string> find_range_fault(const Key& key, double value) {
+    const Range& r = key.range;
+    const std::string unit = key.unit == "-" ? "" : fmt::format(" {}", key.unit);
+    if (!std::isfinite(value)) {
+        return fmt::format("{} is {} (it must be a finite number, {}{}). Correct the value?", key.name, value,
+                           describe_range(key), unit);
+    }
+    const bool high_enough = r.low_included ? value >= r.low : value > r.low;
+    const bool low_enough = r.high_included ? value <= r.high : value < r.high;
+    if (high_enough && low_enough) return std::nullopt;
+    return fmt::format("{} = {} is out of range (it must be {}{}). Correct the value?", key.name, value,
+                       describe_range(key), unit);
+}
+
+std::vector<RuleFault> find_rule_faults(const Case& c) {
+    Faults faults;
+    check_soil(c, faults);
+    check_wheel(c.wheel, faults);
+    check_travel(c, faults);
+    check_times(c, faults);
+    return faults;
+}
+
+}  // namespace ifedem

@@ -1,0 +1,189 @@
+#include "record/snapshot.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+#include <vector>
+
+#include "core/error.hpp"
+#include "record/files.hpp"
+#include "record/results.hpp"
+
+namespace ifedem {
+namespace {
+
+constexpr double left_px = 110, right_px = 170, top_px = 55, bottom_px = 90;  // around the axes, for the labels
+
+/// Dark blue to yellow, equal steps look equal and it survives grey printing (the viridis map, sampled; CC0).
+constexpr const char* palette =
+    "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', "
+    "7 '#6ece58', 8 '#b5de2b', 9 '#fde725')\n";
+
+/// Fill of each Part: rim, intermediate layer, surface layer, lug.
+constexpr std::array<const char*, 4> part_fill = {"#8d99ae", "#edf2f4", "#b7bcc6", "#5c677d"};
+
+bool is_visible(const Frame& frame, std::size_t k, const SnapshotOptions& options) {
+    const Vec2 at = frame.disc_position_m[k];
+    const double radius = static_cast<double>(frame.disc_radius_m[k]);
+    return at.x + radius > options.x_min_m && at.x - radius < options.x_max_m && at.y + radius > options.y_min_m &&
+           at.y - radius < options.y_max_m;
+}
+
+/// The value that 2 % of the visible discs exceed, so that one fast disc does not darken all others.
+double choose_colour_max(const Frame& frame, std::span<const float> values, const SnapshotOptions& options) {
+    std::vector<float> visible;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (is_visible(frame, k, options)) visible.push_back(values[k]);
+    }
+    if (visible.empty()) return 1;
+    const auto place = visible.begin() + static_cast<std::ptrdiff_t>((visible.size() - 1) * 98 / 100);
+    std::nth_element(visible.begin(), place, visible.end());
+    return *place > 0 ? static_cast<double>(*place) : 1;
+}
+
+/// As a gnuplot string in single quotes.
+std::string quote(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
+    return quoted + "'";
+}
+
+std::string disc_data(const Frame& frame, std::span<const float> values, double scale, const SnapshotOptions& options) {
+    std::string data = "$discs << EOD\n";
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!is_visible(frame, k, options)) continue;
+        const Vec2 at = frame.disc_position_m[k];
+        fmt::format_to(std::back_inserter(data), "{:.6f} {:.6f} {:.6f} {:.5g}\n", at.x, at.y, frame.disc_radius_m[k],
+                       static_cast<double>(values[k]) * scale);
+    }
+    return data + "EOD\n";
+}
+
+/// Closed outlines of the elements of one part, blank lines between.
+std::string part_data(const Frame& frame, const Mesh& wheel, std::size_t part) {
+    std::string data = fmt::format("$part{} << EOD\n", part);
+    for (std::size_t q = 0; q < wheel.quad.size(); ++q) {
+        if (static_cast<std::size_t>(wheel.part[q]) != part) continue;
+        for (const std::size_t corner : {0U, 1U, 2U, 3U, 0U}) {
+            const Vec2 at = frame.wheel_position_m.at(wheel.quad[q][corner]);
+            fmt::format_to(std::back_inserter(data), "{:.6f} {:.6f}\n", at.x, at.y);
+        }
+        data += "\n";
+    }
+    return data + "EOD\n";
+}
+
+std::vector<std::size_t> parts_present(const Frame& frame, const Mesh& wheel) {
+    std::vector<std::size_t> present;
+    for (std::size_t part = 0; part < part_fill.size(); ++part) {
+        const bool found = std::ranges::any_of(wheel.part, [&](Part p) { return static_cast<std::size_t>(p) == part; });
+        if (found && !frame.wheel_position_m.empty()) present.push_back(part);
+    }
+    return present;
+}
+
+/// Size of the picture that gives both axes the same scale, with fixed margins.
+std::string canvas(const std::string& output, const SnapshotOptions& options) {
+    const double plot_px = options.width_px - left_px - right_px;
+    const double ratio = (options.y_max_m - options.y_min_m) / (options.x_max_m - options.x_min_m);
+    const double height_px = plot_px * ratio + top_px + bottom_px;
+    return fmt::format(
+        "set terminal pngcairo size {},{:.0f} font 'DejaVu Sans,14' background '#ffffff'\nset output {}\n"
+        "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n"
+        "set tmargin at screen {:.6f}\n"
+        "set colorbox user origin screen {:.6f},{:.6f} size screen {:.6f},{:.6f}\n",
+        options.width_px, height_px, quote(output), left_px / options.width_px, 1 - right_px / options.width_px,
+        bottom_px / height_px, 1 - top_px / height_px, 1 - (right_px - 20) / options.width_px, bottom_px / height_px,
+        24.0 / options.width_px, 1 - (top_px + bottom_px) / height_px);
+}
+
+std::string axes(const std::string& title, const char* colour_label, double colour_max, const SnapshotOptions& o) {
+    return fmt::format(
+        "set encoding utf8\nset title {} noenhanced offset 0,-0.4\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset size "
+        "ratio -1\n"
+        "set xrange [{}:{}]\nset yrange [{}:{}]\nset tics out nomirror\nset border 3 lw 1\nunset key\n"
+        "set cbrange [0:{:.6g}]\nset cblabel {} noenhanced\nset style fill solid 1.0 noborder\n",
+        quote(title), o.x_min_m, o.x_max_m, o.y_min_m, o.y_max_m, colour_max, quote(colour_label));
+}
+
+std::string make_script(const std::string& output, const Frame& frame, const Mesh& wheel, const SnapshotOptions& o) {
+    const bool speed = o.colour == DiscColour::speed;
+    const std::vector<float>& values = speed ? frame.disc_speed_m_s : frame.disc_pressure_Pa;
+    const double scale = speed ? 1 : 1e-3;
+    const double colour_max = scale * (o.colour_max > 0 ? o.colour_max : choose_colour_max(frame, values, o));
+    const std::string title =
+        o.title.empty() ? fmt::format("{}, t = {:.3f} s", stage_name(frame.progress.stage), frame.time_s) : o.title;
+
+    std::string script =
+        canvas(output, o) + axes(title, speed ? "speed [m/s]" : "pressure [kPa]", colour_max, o) + palette;
+    script += disc_data(frame, values, scale, o);
+    std::string plot = "plot $discs using 1:2:3:4 with circles lc palette";
+    for (const std::size_t part : parts_present(frame, wheel)) {
+        script += part_data(frame, wheel, part);
+        plot +=
+            fmt::format(", $part{0} with filledcurves closed fc rgb '{1}', $part{0} with lines lw 0.6 lc rgb '#2b2d42'",
+                        part, part_fill[part]);
+    }
+    if (!frame.wheel_position_m.empty()) {
+        script += fmt::format("$hub << EOD\n{:.6f} {:.6f}\nEOD\n", frame.hub_position_m.x, frame.hub_position_m.y);
+        plot += ", $hub with points pt 1 ps 2 lw 2 lc rgb '#2b2d42'";
+    }
+    return script + plot + "\nunset output\n";
+}
+
+/// Runs gnuplot on a script, without a shell; what it prints goes to `log`. Returns its exit status.
+int run_gnuplot(const std::string& script, const std::string& log) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    std::string program = "gnuplot", no_defaults = "-d", file = script;
+    const std::array<char*, 4> arguments = {program.data(), no_defaults.data(), file.data(), nullptr};
+    pid_t child = 0;
+    const int fault = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    int status = -1;
+    if (fault != 0 || waitpid(child, &status, 0) < 0 || !WIFEXITED(status)) return -1;
+    return WEXITSTATUS(status);
+}
+
+std::string first_line(const std::string& path) {
+    std::string line;
+    for (const std::byte b : read_whole_file(path)) {
+        if (b == std::byte{'\n'} && !line.empty()) break;
+        line += static_cast<char>(b);
+    }
+    return line;
+}
+
+}  // namespace
+
+void write_snapshot_png(const std::string& path, const Frame& frame, const Mesh& wheel,
+                        const SnapshotOptions& options) {
+    if (!(options.x_max_m > options.x_min_m && options.y_max_m > options.y_min_m) || options.width_px < 400) {
+        fail_input("a snapshot needs x_min < x_max, y_min < y_max and at least 400 pixels. Correct its options?");
+    }
+    const std::string script = path + ".gp", picture = path + ".tmp", log = path + ".log";
+    write_file_atomically(script, make_script(picture, frame, wheel, options));
+    const int status = run_gnuplot(script, log);
+    std::string reason;
+    if (status != 0)
+        reason =
+            "exit status " + std::to_string(status) + ": " + (::access(log.c_str(), R_OK) == 0 ? first_line(log) : "");
+    ::unlink(log.c_str());
+    ::unlink(script.c_str());
+    if (status != 0 || ::access(picture.c_str(), R_OK) != 0) {
+        ::unlink(picture.c_str());
+        fail_io("gnuplot could not draw '" + path + "' (" + reason + "). Install gnuplot and check free disk space?");
+    }
+    replace_file(picture, path);
+}
+
+}  // namespace ifedem

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "fem/mesh.hpp"
+#include "record/frame.hpp"
+
+namespace ifedem {
+
+/// What the discs' colour tells.
+enum class DiscColour { speed, pressure };
+
+struct SnapshotOptions {
+    double x_min_m = 0, x_max_m = 1.5;
+    double y_min_m = 0, y_max_m = 0.6;
+    DiscColour colour = DiscColour::speed;
+    double colour_max = 0;  ///< m/s or Pa; 0: such that 2 % of the discs in the picture lie above
+    int width_px = 1600;
+    std::string title;  ///< empty: stage and time
+};
+
+/// Draws one frame to a PNG by gnuplot: discs as circles of true size, coloured; the wheel's elements by part with thin
+/// edges; metres on both axes at equal scale. Equal frames make equal bytes with the same gnuplot and fonts.
+/// Throws Error(io) if gnuplot is missing or fails.
+void write_snapshot_png(const std::string& path, const Frame& frame, const Mesh& wheel, const SnapshotOptions& options);
+
+}  // namespace ifedem

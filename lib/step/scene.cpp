@@ -1,0 +1,88 @@
+#include "step/scene.hpp"
+
+#include <cmath>
+
+#include "dem/bed.hpp"
+#include "dem/neighbour_lists.hpp"
+
+namespace ifedem {
+namespace {
+
+/// Lowers the wheel from above until it is a hair from touching: each drop is the least gap, so it can never pass through.
+Vec2 find_first_touch(const Scene& scene, const State& state) {
+    const auto& discs = state.discs.disc;
+    const double reach = scene.wheel.outer_radius_m + scene.dem.largest_radius_m;
+    double top = 0;
+    for (const Disc& d : discs)
+        if (std::fabs(d.x_m - scene.c.travel.start_x_m) < reach) top = max_of(top, d.y_m + d.radius_m);
+    Vec2 hub{scene.c.travel.start_x_m, top + scene.wheel.outer_radius_m + 1e-3};
+    constexpr double hair_m = 1e-7;
+    for (int tries = 0; tries < 1000; ++tries) {
+        const WheelState wheel = place_wheel(scene.wheel, hub);
+        double gap = 1e300;
+        for (const Disc& d : discs) {
+            const Vec2 centre{d.x_m, d.y_m};
+            // Only a disc nearer to the rim circle than the best so far can lower the gap.
+            if (norm(centre - hub) - d.radius_m - scene.wheel.outer_radius_m >= gap) continue;
+            gap = min_of(gap, distance_to_wheel_m(scene.wheel, wheel, centre) - d.radius_m);
+        }
+        if (gap <= hair_m) break;
+        hub.y -= gap - 0.5 * hair_m;
+    }
+    return hub;
+}
+
+}  // namespace
+
+Scene make_scene(const Case& c, Stage stage) {
+    Scene scene;
+    scene.c = c;
+    scene.stage = stage;
+    const bool settling = stage == Stage::consolidation;
+    scene.dem = make_dem_constants(c, settling ? c.contact.consolidation_friction_soil : c.contact.friction_soil,
+                                   settling ? c.contact.consolidation_friction_wall : c.contact.friction_wall);
+    if (scene.has_wheel()) scene.wheel = make_wheel_model(c.wheel);
+    return scene;
+}
+
+Workspace make_workspace(const Scene& scene, State& state) {
+    Workspace work;
+    attach_workspace(scene.dem, state, work.dem);
+    return work;
+}
+
+std::uint64_t steps_of_stage(const Case& c, Stage stage) {
+    double duration = 0;
+    if (stage == Stage::consolidation) duration = c.stages.consolidation_s;
+    if (stage == Stage::sinkage) duration = c.stages.sinkage_s;
+    if (stage == Stage::travel) {
+        const double ramp = c.travel.acceleration_time_s;
+        const double rest = c.travel.distance_m - 0.5 * ramp * c.travel.speed_m_s;
+        duration = ramp + max_of(0.0, rest) / c.travel.speed_m_s;
+    }
+    return static_cast<std::uint64_t>(std::llround(duration / c.time_step_s));
+}
+
+State make_initial_state(const Case& c) {
+    State state;
+    state.discs = generate_bed(c);
+    return state;
+}
+
+void begin_stage(const Scene& scene, State& state) {
+    state.progress.stage = scene.stage;
+    state.progress.step = 0;
+    state.energy = {};
+    state.series = {};
+    if (scene.stage == Stage::sinkage) {
+        state.touch_position_m = find_first_touch(scene, state);
+        state.wheel = place_wheel(scene.wheel, state.touch_position_m);
+    }
+    if (scene.has_wheel()) {
+        state.control = {};
+        state.control.drawbar.target = state.wheel.rim.position_m.x;
+        state.control.torque.target = -state.wheel.rim.angle_rad;
+    }
+}
+
+}  // namespace ifedem

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "model/case.hpp"
+#include "model/state.hpp"
+
+namespace ifedem {
+
+/// consolidation → free sinkage → travel (section 2.6), each named by the hash of all that its end depends on.
+[[nodiscard]] std::string stage_hash(const Case& c, Stage stage, int results_version);
+
+}  // namespace ifedem

@@ -1,0 +1,151 @@
+#include "check/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "check/csv.hpp"
+#include "check/document.hpp"
+#include "check/html.hpp"
+#include "core/error.hpp"
+#include "support/synthetic_runs.hpp"
+
+using namespace ifedem;
+using namespace ifedem::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Runs as the campaign of chapter 3 makes them, with made-up numbers near the text's, and both wheels' stiffness.
+std::vector<std::string> write_campaign(const fs::path& root) {
+    std::vector<std::string> runs;
+    Random random{5};
+    const auto noise = [&](double width) { return width * (2 * random.uniform() - 1); };
+    const auto add = [&](const char* planet, double g, double load, double slip, int realisation, double share) {
+        const double effort = share * (22 + 1.35 * slip) + noise(2) * share;
+        const double pull = share * (-18 + 1.0 * slip) + noise(2) * share;
+        runs.push_back(
+            write_synthetic_run(root, {.name = fmt::format("B3-{}-{:g}N-s{:g}-r{}", planet, load, slip, realisation),
+                                       .gravity_m_s2 = g,
+                                       .load_N = load,
+                                       .slip_percent = slip,
+                                       .seed = realisation,
+                                       .effort_N = effort,
+                                       .net_traction_N = pull,
+                                       .sinkage_m = -0.02 - 6.2e-4 * slip + noise(5e-4),
+                                       .effective_radius_m = 0.1402 + 4e-5 * slip + noise(1e-4)}));
+    };
+    for (int slip = 0; slip <= 70; slip += 10)
+        for (int r = 1; r <= (slip == 60 ? 3 : 1); ++r) add("earth", 9.81, 170, slip, r, 1);
+    for (int r = 1; r <= 3; ++r) add("mars", 3.71, 64.4, 60, r, 0.37);
+    write_snapshot(runs[2], synthetic_snapshot());
+    std::string points = "wheel,phase_deg,deflection_m,load_N\n";
+    for (const auto& [wheel, k] : {std::pair{"B3", 15.8}, {"B6", 50.0}})
+        for (const double phase : {0.0, 15.0})
+            for (int load = 0; load <= 170; load += 17)
+                points += fmt::format("{},{},{:.6g},{}\n", wheel, phase, 1e-3 * load / (k + phase / 10), load);
+    write_text((root / "stiffness/stiffness.csv").string(), points);
+    write_text((root / "stiffness/stiffness_summary.csv").string(),
+               "wheel,stiffness_N_mm,min_N_mm,max_N_mm\nB3,15.8,15.6,16.0\nB6,50,48,52\n");
+    runs.push_back((root / "stiffness").string());
+    return runs;
+}
+
+}  // namespace
+
+TEST(Html, EscapesAndTypesets) {
+    EXPECT_EQ(escape_html("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
+    EXPECT_EQ(typeset("P_d < r_e"), "<i>P</i><sub>d</sub> &lt; <i>r</i><sub>e</sub>");
+}
+
+TEST(Html, Base64OfRfc4648) {
+    // RFC 4648, section 10.
+    for (const auto& [plain, coded] : {std::pair{"", ""},
+                                       {"f", "Zg=="},
+                                       {"fo", "Zm8="},
+                                       {"foo", "Zm9v"},
+                                       {"foob", "Zm9vYg=="},
+                                       {"fooba", "Zm9vYmE="},
+                                       {"foobar", "Zm9vYmFy"}})
+        EXPECT_EQ(encode_base64(plain), coded);
+}
+
+TEST(Html, SvgIdsAreItsOwn) {
+    const std::string svg =
+        "<?xml version='1.0'?>\n<svg width='1'><g id=\"a\"/><use xlink:href='#b'/><p fill='url(#c)'/></svg>";
+    const std::string out = inline_svg(svg, "f1", "A \"plot\"");
+    EXPECT_EQ(out.substr(0, 4), "<svg");
+    EXPECT_NE(out.find("id=\"f1-a\""), std::string::npos);
+    EXPECT_NE(out.find("href='#f1-b'"), std::string::npos);
+    EXPECT_NE(out.find("url(#f1-c)"), std::string::npos);
+    EXPECT_NE(out.find("aria-label=\"A &quot;plot&quot;\""), std::string::npos);
+}
+
+TEST(Markdown, TablesKeepTheirColumns) {
+    Document d;
+    d.first_line = "Verdicts: 1 match";
+    d.title = "T";
+    Table t;
+    t.header = {"a", "b"};
+    t.rows = {{{"|x|", ""}, {"y\nz", ""}}};
+    d.sections.push_back({"s", "S", {t}});
+    const std::string text = to_markdown(d);
+    EXPECT_EQ(text.substr(0, text.find('\n')), "Verdicts: 1 match");
+    EXPECT_NE(text.find("| a | b |\n|---|---|\n| \\|x\\| | y z |\n"), std::string::npos) << text;
+}
+
+TEST(Report, IsCompleteSelfContainedAndTheSameTwice) {
+    const fs::path root = fresh_directory("report");
+    const std::string source = IFEDEM_SOURCE_DIR;
+    ReportRequest request{source + "/reproductions/chapter3/claims.csv", write_campaign(root / "runs"),
+                          (root / "one").string(), "Tractive performance of an elastic wheel for planetary rovers", ""};
+    write_report(request);
+    const std::string html = read_text((root / "one/index.html").string());
+    const std::string markdown = read_text((root / "one/report.md").string());
+    EXPECT_EQ(markdown.substr(0, 10), "Verdicts: ");
+    EXPECT_LT(html.find("Verdicts: "), html.find("<h1>"));
+    EXPECT_EQ(html.find("{{"), std::string::npos);
+    EXPECT_EQ(html.find("src=\"figures"), std::string::npos);  // nothing is loaded from elsewhere
+    EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org"));
+    EXPECT_EQ(html.find("<script"), std::string::npos);
+    for (const char* name : {"agreement", "fig3-6", "fig3-7b", "fig3-8b", "fig3-9b", "fig3-14b", "fig3-16a", "fig3-16b",
+                             "fig3-17a", "fig3-17b", "fig3-18a", "fig3-18b", "stiffness", "travel"}) {
+        EXPECT_NE(html.find(fmt::format("<figure id=\"{}\"", name)), std::string::npos) << name;
+        EXPECT_TRUE(fs::exists(root / "one/figures" / (std::string(name) + ".csv"))) << name;
+    }
+    EXPECT_EQ(read_csv((root / "one/runs.csv").string()).rows.size(), 13U);
+    EXPECT_GE(read_csv((root / "one/checks.csv").string()).rows.size(), 53U);
+    EXPECT_NE(html.find("text: 102"), std::string::npos);
+    EXPECT_LT(html.size(), 5U << 20);
+
+    request.out_dir = (root / "two").string();
+    write_report(request);
+    EXPECT_EQ(html, read_text((root / "two/index.html").string()));
+    EXPECT_EQ(markdown, read_text((root / "two/report.md").string()));
+    if (std::getenv("IFEDEM_KEEP_REPORT") == nullptr) fs::remove_all(root);
+}
+
+TEST(Report, WithoutRunsSaysSo) {
+    const fs::path root = fresh_directory("report-empty");
+    const std::string source = IFEDEM_SOURCE_DIR;
+    write_report({source + "/reproductions/chapter3/claims.csv", {}, root.string(), "", ""});
+    const std::string markdown = read_text((root / "report.md").string());
+    EXPECT_EQ(markdown.find("Verdicts: 0 match, 0 unresolved, 0 differs-explained, 0 not-reproduced, "), 0U);
+    EXPECT_NE(markdown.find("no run of B3, Earth, 170 N, slip 60 %"), std::string::npos);
+    fs::remove_all(root);
+}
+
+TEST(Report, SnapshotsComeBack) {
+    const fs::path root = fresh_directory("snapshot");
+    EXPECT_FALSE(read_snapshot(root.string()));
+    const Snapshot out = synthetic_snapshot();
+    write_snapshot(root.string(), out);
+    const auto in = read_snapshot(root.string());
+    ASSERT_TRUE(in);
+    ASSERT_EQ(in->discs.size(), out.discs.size());
+    ASSERT_EQ(in->elements.size(), out.elements.size());
+    EXPECT_NEAR(in->discs.back().centre_m.x, out.discs.back().centre_m.x, 1e-6);
+    EXPECT_NEAR(in->elements.back().back().y, out.elements.back().back().y, 1e-6);
+    fs::remove_all(root);
+}
