@@ -111,6 +111,10 @@ private:
         if (claim_.tolerance_origin.empty())
             fault(fmt::format("the tolerance '{}' has no origin. Say in tolerance_origin where it comes from.",
                               cell("tolerance")));
+        const bool needs_runs = claim_.metric != "gravity_ratio" && claim_.metric != "stiffness_N_mm";
+        const auto& s = claim_.selection;
+        if (needs_runs && (s.wheel.empty() || s.gravity.empty() || s.load_N.empty() || cell("slip_percent").empty()))
+            fault("the runs are not selected. Fill in wheel, gravity, load_N and slip_percent.");
         if (claim_.metric.starts_with("ratio:") &&
             (claim_.selection.gravity.size() != 2 || claim_.selection.load_N.size() != 2))
             fault(fmt::format("a {} needs two gravities and two loads. Write them as mars/earth and 64.4/170.",

@@ -137,7 +137,9 @@ std::variant<Quantity, Missing> longest_time(const Judge& j, double seconds_per_
     const auto& s = j.claim.selection;
     Quantity q;
     for (const auto& run : j.campaign.runs) {
-        if (run.condition.wheel != s.wheel || run.condition.gravity != s.gravity.at(0)) continue;
+        const auto& c = run.condition;
+        if (c.wheel != s.wheel || c.gravity != s.gravity.at(0) || std::abs(c.load_N - s.load_N.at(0)) > 1e-9) continue;
+        if (c.slip_percent < s.slip_from_percent || c.slip_percent > s.slip_to_percent) continue;
         const auto seconds = parse_number(run.run.text("wall_s"));
         if (!seconds) continue;
         q.value = std::max(q.value, *seconds / seconds_per_unit);

@@ -23,6 +23,13 @@ std::string slip_line(const std::string& curve, const char* kind, double slip, d
                      n > 0 ? std::to_string(n) : "", label});
 }
 
+/// The text's own number where a claim compares it with this metric on one of the curves.
+struct TextPoint {
+    std::string curve;
+    double slip = 0, value = 0, reading = 0;
+    std::string printed;
+};
+
 std::string curve_lines(const Campaign& campaign, const CurveName& curve, double RunMetrics::*member) {
     const auto values = collect(campaign, drawn_wheel, curve.gravity, curve.load_N, member);
     if (values.empty()) return {};
@@ -50,17 +57,34 @@ std::string curve_lines(const Campaign& campaign, const CurveName& curve, double
     return text;
 }
 
-/// The text's own number for this metric and curve, where a claim compares it.
-std::string text_lines(const std::vector<Outcome>& outcomes, const std::string& metric, const CurveName& curve) {
-    std::string text;
+std::vector<TextPoint> text_points(const std::vector<Outcome>& outcomes, const std::string& metric,
+                                   const std::vector<CurveName>& curves) {
+    std::vector<TextPoint> points;
     for (const auto& o : outcomes) {
-        const auto& c = o.claim;
-        const auto& s = c.selection;
-        if (c.metric != metric || c.comparison != Comparison::equal || !o.reference || s.gravity.size() != 1) continue;
-        if (s.gravity[0] != curve.gravity || std::abs(s.load_N.at(0) - curve.load_N) > 1e-9) continue;
-        const double reading = reading_uncertainty(o.reference_text, o.units, curve.gravity);
-        text += slip_line(curve.gravity, "text", s.slip_from_percent, *o.reference, reading, 0,
-                          "text: " + o.reference_text);
+        const auto& s = o.claim.selection;
+        if (o.claim.metric != metric || o.claim.comparison != Comparison::equal || !o.reference ||
+            s.gravity.size() != 1)
+            continue;
+        for (const auto& curve : curves)
+            if (s.gravity[0] == curve.gravity && std::abs(s.load_N.at(0) - curve.load_N) < 1e-9)
+                points.push_back({curve.gravity, s.slip_from_percent, *o.reference,
+                                  reading_uncertainty(o.reference_text, o.units, curve.gravity), o.reference_text});
+    }
+    return points;
+}
+
+/// A marker each; the label of the lowest of several stands below it and the others' above, so that they keep apart.
+std::string text_lines(const std::vector<Outcome>& outcomes, const std::string& metric,
+                       const std::vector<CurveName>& curves) {
+    const auto points = text_points(outcomes, metric, curves);
+    std::string text;
+    for (const auto& p : points) {
+        const bool is_lowest =
+            points.size() > 1 &&
+            std::all_of(points.begin(), points.end(), [&](const TextPoint& other) { return p.value <= other.value; });
+        const std::string number = p.printed.starts_with('-') ? "−" + p.printed.substr(1) : p.printed;
+        text += slip_line(p.curve, "text", p.slip, p.value, p.reading, 0, "");
+        text += slip_line(p.curve, is_lowest ? "below" : "above", p.slip, p.value, 0, 0, "text: " + number);
     }
     return text;
 }
@@ -99,9 +123,10 @@ std::optional<std::string> slip_data(const Campaign& campaign, const std::vector
     std::string lines;
     for (const auto& curve : curves) {
         const std::string computed = curve_lines(campaign, curve, info->member);
-        if (!computed.empty()) lines += computed + text_lines(outcomes, metric, curve);
+        if (!computed.empty()) lines += computed;
     }
     if (lines.empty()) return std::nullopt;
+    lines += text_lines(outcomes, metric, curves);
     return "curve,kind,slip_percent,value,uncertainty,n,label\n" + lines;
 }
 

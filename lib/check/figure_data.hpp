@@ -19,7 +19,8 @@ struct CurveName {
 };
 [[nodiscard]] CurveName parse_curve(const std::string& text);
 
-/// curve,kind,slip_percent,value,uncertainty,n,label with kinds mean, run, fit (weighted parabola), text, label.
+/// curve,kind,slip_percent,value,uncertainty,n,label with kinds mean, run, fit (weighted parabola), text (the
+/// dissertation's own number), and label, above, below (where words stand).
 /// Nothing if no run fits.
 [[nodiscard]] std::optional<std::string> slip_data(const Campaign& campaign, const std::vector<Outcome>& outcomes,
                                                    const std::string& metric, const std::vector<CurveName>& curves);

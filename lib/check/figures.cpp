@@ -44,10 +44,10 @@ Figure start_figure(const FigureRow& row, const char* image_ending) {
     return f;
 }
 
-/// "fit", "run", "mean", "text" and "label": the curves that have such lines, so that a script loops over what is
+/// "fit", "run" and so on: the curves that have such lines, so that a script loops over what is
 /// there.
 void name_curves(const std::string& data, Variables& variables) {
-    for (const char* kind : {"fit", "run", "mean", "text", "label"}) {
+    for (const char* kind : {"fit", "run", "mean", "text", "above", "below", "label"}) {
         std::string names;
         for (const char* curve : {"earth", "mars"})
             if (data.find(fmt::format("\n{},{},", curve, kind)) != std::string::npos) names += std::string(curve) + " ";

@@ -54,12 +54,15 @@ std::string escape_html(std::string_view text) {
 }
 
 std::string typeset(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> quantities{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 9> quantities{
         {{"P_d", "<i>P</i><sub>d</sub>"},
          {"r_e", "<i>r</i><sub>e</sub>"},
          {"K_c", "<i>K</i><sub>c</sub>"},
          {"F_x", "<i>F</i><sub>x</sub>"},
          {"F_y", "<i>F</i><sub>y</sub>"},
+         {"K_d", "<i>K</i><sub>d</sub>"},
+         {"f_n", "<i>f</i><sub>n</sub>"},
+         {"M_r", "<i>M</i><sub>r</sub>"},
          {"u_read", "<i>u</i><sub>read</sub>"}}};
     std::string out = escape_html(with_minus_signs(text));
     for (const auto& [plain, set] : quantities) out = replace_all(std::move(out), plain, set);

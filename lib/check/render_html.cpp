@@ -25,7 +25,11 @@ std::string render(const Table& table, const std::string&) {
     std::string out = fmt::format("<div class=\"table {}\"><table>\n", table.style);
     if (!table.caption.empty()) out += fmt::format("<caption>{}</caption>\n", typeset(table.caption));
     out += "<thead><tr>";
-    for (const auto& name : table.header) out += fmt::format("<th scope=\"col\">{}</th>", typeset(name));
+    for (std::size_t k = 0; k < table.header.size(); ++k) {
+        const bool is_number = !table.rows.empty() && table.rows[0][k].style.starts_with("num");
+        out += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(is_number ? "num" : ""),
+                           typeset(table.header[k]));
+    }
     out += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {
         out += "<tr>";

@@ -14,7 +14,7 @@ namespace {
 
 std::string worse_text(const std::vector<Outcome>& outcomes) {
     std::size_t worse = 0;
-    for (const auto& o : outcomes) worse += o.is_worse_than_expected() ? 1 : 0;
+    for (const auto& o : outcomes) worse += o.is_worse_than_expected() ? 1U : 0U;
     return worse == 0 ? "none worse than expected" : fmt::format("{} worse than expected", worse);
 }
 
@@ -29,8 +29,9 @@ Document compose(const ReportRequest& request, const CheckResult& result, const 
     const auto& campaign = result.campaign;
     Document d;
     d.title = report_title(request, outcomes);
-    d.subtitle = fmt::format("A reproduction with ifedem: {} runs, {} statements of the dissertation judged by rule.",
-                             campaign.runs.size(), outcomes.size());
+    d.subtitle =
+        fmt::format("A reproduction with ifedem: {} runs, {} checks of the dissertation’s statements, judged by rule.",
+                    campaign.runs.size(), outcomes.size());
     d.first_line = fmt::format("Verdicts: {} — {}.", verdict_line(outcomes), worse_text(outcomes));
     const auto counts = count_verdicts(outcomes);
     for (std::size_t k = 0; k < counts.size(); ++k) {

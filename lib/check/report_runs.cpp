@@ -13,7 +13,10 @@ namespace {
 constexpr double joule_digits_limit = 1e-3;
 
 std::string number_or_dash(double value, int decimals) {
-    return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : std::string("–");
+    if (!std::isfinite(value)) return "–";
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);  // no −0.00
+    return text;
 }
 
 /// Names of run.csv, in the order in which they first appear.
@@ -38,7 +41,8 @@ std::string values_used(const Campaign& campaign, const std::string& keys) {
     for (const auto& key : split(keys, ' ')) {
         std::vector<std::string> used;
         for (const auto& run : campaign.runs) {
-            const std::string value = value_of_key(run.run.c, key);
+            std::string value = value_of_key(run.run.c, key);
+            std::erase(value, '"');
             if (std::find(used.begin(), used.end(), value) == used.end()) used.push_back(value);
         }
         if (!text.empty()) text += "; ";

@@ -22,6 +22,10 @@ std::string with_uncertainty(double value, double uncertainty) {
 
 std::string computed_text(const Outcome& o) {
     if (!o.computed) return "–";
+    if (o.claim.comparison == Comparison::linear)
+        return fmt::format("off its chord by {:.1f} ± {:.1f} %", 100 * *o.computed, 100 * o.uncertainty);
+    if (o.claim.comparison == Comparison::increasing || o.claim.comparison == Comparison::decreasing)
+        return fmt::format("τ = {:.2f}", *o.computed);
     return with_uncertainty(*o.computed, o.uncertainty) + units_after(o);
 }
 
@@ -38,6 +42,15 @@ std::string reference_text(const Outcome& o) {
         default:
             return o.reference_text;
     }
+}
+
+/// What the text says, and where; a statement in words with the number that stands for it.
+std::string statement_text(const Outcome& o) {
+    const bool is_side = o.claim.comparison == Comparison::above || o.claim.comparison == Comparison::below;
+    const std::string what = is_side && o.ledger.kind == "qualitative"
+                                 ? fmt::format("“{}”, taken as {}", o.ledger.value, reference_text(o))
+                                 : reference_text(o);
+    return fmt::format("{} ({}, line {})", what, o.ledger.source, o.ledger.line);
 }
 
 Cell verdict_cell(const Outcome& o) {
@@ -137,23 +150,22 @@ Table planets_table(const std::vector<Outcome>& outcomes) {
 Table verdict_table(const std::vector<Outcome>& outcomes) {
     Table t;
     t.style = "cards";
-    t.header = {"Id",      "Statement",          "Condition", "Text", "Computed ± U", "n", "Error / tolerance",
-                "Verdict", "Evidence or detail", "Source"};
+    t.header = {"Id", "Statement", "Text", "Computed ± U", "n", "Error / tolerance", "Verdict", "Evidence or detail"};
     t.data_file = "checks.csv";
     for (const auto& o : outcomes) {
         if (o.verdict == Verdict::not_computable) continue;
-        std::string evidence = o.claim.evidence;
-        if (!evidence.empty() && !o.detail.empty()) evidence += "; ";
-        t.rows.push_back({{o.claim.id, "id"},
-                          {o.ledger.quantity, ""},
-                          {o.condition, "small"},
-                          {reference_text(o), "num"},
-                          {computed_text(o), "num"},
-                          {o.n > 0 ? std::to_string(o.n) : "–", "num"},
-                          {error_text(o), "num"},
-                          verdict_cell(o),
-                          {evidence + o.detail, "small"},
-                          {fmt::format("{}, line {}", o.ledger.source, o.ledger.line), "small"}});
+        std::vector<std::string> evidence;
+        for (const auto& part : {o.claim.evidence, o.detail, o.claim.note, "tolerance: " + o.claim.tolerance_origin})
+            if (!part.empty()) evidence.push_back(part);
+        t.rows.push_back(
+            {{o.claim.id, "id"},
+             {o.condition.empty() ? o.ledger.quantity : fmt::format("{}; {}", o.ledger.quantity, o.condition), ""},
+             {statement_text(o), ""},
+             {computed_text(o), "num"},
+             {o.n > 0 ? std::to_string(o.n) : "–", "num"},
+             {error_text(o), "num"},
+             verdict_cell(o),
+             {fmt::format("{}", fmt::join(evidence, "; ")), "small"}});
     }
     return t;
 }
@@ -204,7 +216,7 @@ Section summary_section(const std::vector<Outcome>& outcomes) {
 Section numbers_section(const std::vector<Outcome>& outcomes, const std::vector<Figure>& figures) {
     Section s{"numbers", "The text’s numbers", {}};
     Table t;
-    t.style = "compact";
+    t.style = "compact cards";
     t.header = {"Quantity", "Text", "Computed ± U", "n", "Error / tolerance", "Verdict"};
     for (const auto& o : outcomes) {
         if (o.claim.comparison != Comparison::equal) continue;

@@ -1,15 +1,15 @@
 #pragma once
-#include <cmath>
+#include "core/pack.hpp"
 
 namespace ifedem {
 
 // The one contact law of the project (section 2.5), written once over a number type V: double for walls, wheel segments
 // and tests, a SIMD pack for disc–disc pairs. Only + − × ÷ √ min max and selection, so every width gives the same bits.
 
-inline double min_of(double a, double b) { return a < b ? a : b; }
-inline double max_of(double a, double b) { return a > b ? a : b; }
-inline double root(double a) { return std::sqrt(a); }
-inline double select_positive(double condition, double a) { return condition > 0 ? a : 0.0; }
+IFEDEM_INLINE double min_of(double a, double b) { return a < b ? a : b; }
+IFEDEM_INLINE double max_of(double a, double b) { return a > b ? a : b; }
+IFEDEM_INLINE double root(double a) { return __builtin_sqrt(a); }
+IFEDEM_INLINE double select_positive(double condition, double a) { return condition > 0 ? a : 0.0; }
 
 /// Constants of a kind of contact (soil–soil, soil–wall, soil–wheel), the same for all its contacts.
 struct ContactConstants {
@@ -34,7 +34,7 @@ struct ContactForces {
 /// The spring is held within the Coulomb cap, so that a sliding contact releases its excess at once (the alternative, an
 /// unbounded spring under a capped force, would keep pulling after the sliding has reversed).
 template <class V>
-inline ContactForces<V> contact_forces(const ContactConstants& k, V overlap_m, V approach_m_s, V sliding_m_s,
+IFEDEM_INLINE ContactForces<V> contact_forces(const ContactConstants& k, V overlap_m, V approach_m_s, V sliding_m_s,
                                        V normal_damping_Ns_m, V old_spring_m, V step_s, V half_chord_m) {
     const V elastic = k.normal_stiffness_N_m * overlap_m;
     const V normal = max_of(elastic + normal_damping_Ns_m * approach_m_s, V(k.smallest_normal_N));
@@ -51,7 +51,7 @@ inline ContactForces<V> contact_forces(const ContactConstants& k, V overlap_m, V
 
 /// Squared half chord of two overlapping circles at distance d = r_i + r_j − overlap, times 4d² (exact, no root yet).
 template <class V>
-inline V chord_product(V overlap_m, V radius_i_m, V radius_j_m) {
+IFEDEM_INLINE V chord_product(V overlap_m, V radius_i_m, V radius_j_m) {
     const V twice_sum = 2.0 * (radius_i_m + radius_j_m);
     return overlap_m * (2.0 * radius_i_m - overlap_m) * (2.0 * radius_j_m - overlap_m) * (twice_sum - overlap_m);
 }

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dem/contact_law.hpp"
 #include "model/state.hpp"
 
 namespace ifedem {
@@ -34,6 +35,7 @@ struct WallCandidate {
 
 /// Everything that a step needs and that can be made from State alone; never saved.
 struct DemWorkspace {
+    void (*pair_kernel)(const ContactConstants&, const struct PairBatch&) = nullptr;  ///< see vector_width.hpp
     std::vector<Block> block;
     // Inner pairs, unpacked for the pair loop.
     std::vector<std::uint32_t> i, j;            ///< list positions

@@ -3,43 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/pair_kernel.hpp"
+
 namespace ifedem {
 namespace {
 
 /// One block's pairs in list order; forces go to the block's own slots.
-void add_block_pairs(const DemConstants& k, const Block& block, const std::vector<Disc>& disc,
-                     std::vector<double>& spring, DemWorkspace& work, double spring_step_s) {
+void add_block_pairs(const DemConstants& k, const Block& block, const DiscState& discs, std::vector<double>& spring,
+                     DemWorkspace& work, double spring_step_s) {
     std::fill(work.force.begin() + block.force_begin, work.force.begin() + block.force_end, DiscForce{});
-    for (std::uint32_t n = block.pair_begin; n < block.pair_end; ++n) {
-        const Disc& a = disc[work.i[n]];
-        const Disc& b = disc[work.j[n]];
-        const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
-        const double distance = std::sqrt(dx * dx + dy * dy);
-        const double overlap = (a.radius_m + b.radius_m) - distance;
-        if (overlap <= 0) {
-            spring[n] = 0;
-            continue;
-        }
-        const double inverse = 1.0 / distance;
-        const double nx = dx * inverse, ny = dy * inverse;
-        const double ux = a.vx_m_s - b.vx_m_s, uy = a.vy_m_s - b.vy_m_s;
-        const double half_overlap = 0.5 * overlap;
-        const double arm_a = a.radius_m - half_overlap, arm_b = b.radius_m - half_overlap;
-        const double approach = ux * nx + uy * ny;
-        const double sliding = (uy * nx - ux * ny) + (a.omega_rad_s * arm_a + b.omega_rad_s * arm_b);
-        const double half_chord = 0.5 * inverse * root(chord_product(overlap, a.radius_m, b.radius_m));
-        const auto f = contact_forces(k.soil, overlap, approach, sliding, work.damping_Ns_m[n], spring[n],
-                                      spring_step_s, half_chord);
-        spring[n] = f.tangential_spring_m;
-        const double fx = f.normal_N * nx - f.tangential_N * ny;  // on b; the opposite on a
-        const double fy = f.normal_N * ny + f.tangential_N * nx;
-        DiscForce& on_a = work.force[work.slot_i[n]];
-        on_a.x_N -= fx, on_a.y_N -= fy;
-        on_a.moment_Nm -= f.tangential_N * arm_a, on_a.rolling_limit_Nm += f.rolling_limit_Nm;
-        DiscForce& on_b = work.force[work.slot_j[n]];
-        on_b.x_N += fx, on_b.y_N += fy;
-        on_b.moment_Nm -= f.tangential_N * arm_b, on_b.rolling_limit_Nm += f.rolling_limit_Nm;
-    }
+    const PairBatch batch{discs.disc.data(),        work.i.data(),  work.j.data(),     work.slot_i.data(),
+                          work.slot_j.data(),       work.damping_Ns_m.data(), spring.data(), work.force.data(),
+                          block.pair_begin,         block.pair_end, spring_step_s};
+    work.pair_kernel(k.soil, batch);
 }
 
 void merge_block(const Block& block, DemWorkspace& work) {
@@ -57,7 +33,7 @@ void add_pair_forces(const DemConstants& k, State& state, DemWorkspace& work, do
     const auto blocks = static_cast<std::int64_t>(work.block.size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t b = 0; b < blocks; ++b)
-        add_block_pairs(k, work.block[static_cast<std::size_t>(b)], state.discs.disc, state.pairs.tangential_m, work,
+        add_block_pairs(k, work.block[static_cast<std::size_t>(b)], state.discs, state.pairs.tangential_m, work,
                         spring_step_s);
 #pragma omp parallel for schedule(static)
     for (std::int64_t b = 0; b < blocks; ++b) merge_block(work.block[static_cast<std::size_t>(b)], work);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "dem/forces.hpp"
+#include "dem/vector_width.hpp"
 
 namespace ifedem {
 namespace {
@@ -303,6 +304,7 @@ void update_lists(const DemConstants& k, State& state, DemWorkspace& work) {
 }
 
 void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
+    work.pair_kernel = choose_pair_kernel();
     note_ids(state, work);
     work.rebuild_outer = work.refresh_inner = state.pairs.reference_m.empty();
     if (work.rebuild_outer) return;

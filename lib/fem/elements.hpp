@@ -47,7 +47,8 @@ void add_internal_force(const ElementSet& set, std::span<const Vec2> position_m,
 [[nodiscard]] double strain_energy_J(const ElementSet& set, std::span<const Vec2> position_m);
 
 /// Largest stable step of the central difference, 2/ω_max, with ω_max² bounded by the largest element eigenvalue
-/// (exact 8 × 8 eigenproblem of Kᵉ and lumped mass), and the element that sets it.
+/// (exact 8 × 8 eigenproblem of Kᵉ and lumped mass), and the element that sets it. Safe, without damping and contacts; the
+/// mesh as a whole often bears twice as much, because narrow elements borrow mass from wide neighbours.
 struct StableStep {
     double step_s = 0;
     std::uint32_t element = 0;

@@ -5,6 +5,7 @@
 #include "dem/dem_workspace.hpp"
 #include "model/case.hpp"
 #include "model/state.hpp"
+#include "step/profile.hpp"
 
 namespace ifedem {
 
@@ -23,6 +24,7 @@ struct Scene {
 struct Workspace {
     DemWorkspace dem;
     WheelWorkspace wheel;
+    Profile profile;
 };
 
 [[nodiscard]] Workspace make_workspace(const Scene& scene, State& state);

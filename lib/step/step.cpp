@@ -8,11 +8,14 @@
 namespace ifedem {
 namespace {
 
-void add_disc_forces(const Scene& scene, State& state, Workspace& work, double spring_step_s) {
+void add_disc_forces(const Scene& scene, State& state, Workspace& work, double spring_step_s, Lap& lap) {
     add_pair_forces(scene.dem, state, work.dem, spring_step_s);
+    lap(Phase::pairs);
     add_wall_forces(scene.dem, state, work.dem, spring_step_s);
+    lap(Phase::walls);
     if (scene.has_wheel())
         add_wheel_contacts(scene.dem, scene.wheel, state, work.dem, work.wheel, spring_step_s);
+    lap(Phase::wheel_contact);
 }
 
 }  // namespace
@@ -20,19 +23,26 @@ void add_disc_forces(const Scene& scene, State& state, Workspace& work, double s
 void step(const Scene& scene, State& state, Workspace& work) {
     const double dt = scene.dem.step_s;
     const bool twice = scene.c.integrator == Integrator::modified_euler_two;
+    Lap lap(work.profile);
 
     update_lists(scene.dem, state, work.dem);
-    add_disc_forces(scene, state, work, twice ? 0.0 : dt);
+    lap(Phase::lists);
+    add_disc_forces(scene, state, work, twice ? 0.0 : dt, lap);
     if (scene.has_wheel()) {
         add_wheel_forces(scene, state, work.wheel);
+        lap(Phase::wheel_force);
         integrate_wheel(scene, state, work.wheel);  // control included: the loops act on what they integrate
+        lap(Phase::wheel_motion);
     }
     integrate_discs(scene, state, work.dem);
+    lap(Phase::discs);
     if (twice) {
-        add_disc_forces(scene, state, work, dt);
+        add_disc_forces(scene, state, work, dt, lap);
         correct_discs(scene, state, work.dem);
+        lap(Phase::discs);
     }
     watch_movement(state, work.dem);
+    lap(Phase::watch);
     ++state.progress.step;
     ++state.progress.total_steps;
 }

@@ -1,5 +1,5 @@
 # A window mean against slip. Strings from the report: style, output, data, ylabel, and for each kind of line (fit, run,
-# mean, text, label) the names of the curves that have it.
+# mean, text, above, below, label) the names of the curves that have it.
 load style
 set rmargin 13
 set xrange [-2:72]
@@ -7,6 +7,7 @@ set xtics 0,10,70
 set offsets graph 0, graph 0, graph 0.12, graph 0.06
 set xlabel "slip [%]"
 set ylabel ylabel
+set style textbox opaque noborder fillcolor rgb "white" margins 0.6,0.4
 
 pick(curve, kind, c) = (strcol(1) eq curve && strcol(2) eq kind) ? column(c) : NaN
 hue(curve) = curve eq "earth" ? earth_colour : mars_colour
@@ -15,9 +16,12 @@ pale(curve) = curve eq "earth" ? earth_pale : mars_pale
 # gnuplot warns of a loop over no names, so parts that are not there are left out of the command.
 fits = fit eq "" ? "" : "for [c in fit] data using (pick(c, 'fit', 3)):4 with lines linewidth 1.6 linecolor rgb hue(c), "
 runs = run eq "" ? "" : "for [c in run] data using (pick(c, 'run', 3)):4 with points pointtype 7 pointsize 0.3 linecolor rgb pale(c), "
-texts = text eq "" ? "" : "for [c in text] data using (pick(c, 'text', 3)):4 with points pointtype 12 pointsize 1.25 linewidth 1.6 linecolor rgb text_colour, for [c in text] data using (pick(c, 'text', 3)):4:7 with labels right offset -1.2, 0.9 textcolor rgb text_colour font ',12', "
+texts = text eq "" ? "" : "for [c in text] data using (pick(c, 'text', 3)):4 with points pointtype 12 pointsize 1.25 linewidth 1.6 linecolor rgb text_colour, "
+mark_words(names, kind, up) = names eq "" ? "" : sprintf("for [c in '%s'] data using (pick(c, '%s', 3)):4:7 with labels right boxed offset -1.3, %.1f textcolor rgb text_colour font ',12', ", names, kind, up)
+uppers = mark_words(above, "above", 1.0)
+lowers = mark_words(below, "below", -1.0)
 plot @fits @runs \
      for [c in mean] data using (pick(c, "mean", 3)):4:5 \
          with yerrorbars pointtype 7 pointsize 0.62 linewidth 1.3 linecolor rgb hue(c), \
-     @texts \
+     @texts @uppers @lowers \
      for [c in label] data using (pick(c, "label", 3)):4:7 with labels left offset 1.6, 0 textcolor rgb hue(c)

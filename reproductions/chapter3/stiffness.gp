@@ -7,10 +7,8 @@ set yrange [0:190]
 set xlabel "deflection [mm]"
 set ylabel "load [N]"
 of(wheel, c) = strcol(1) eq wheel ? column(c) : NaN
-set label "B3" at 10, 130 right textcolor rgb earth_colour
-set label "B6" at 2.2, 155 right textcolor rgb mars_colour
-set label "text: 15.9 N/mm" at 9.4, 175 left textcolor rgb muted font ",12"
-set label "text: 53.2 N/mm" at 3.5, 182 left textcolor rgb muted font ",12"
+set label "B3 (dashed: text, 15.9 N/mm)" at 6.9, 92 left textcolor rgb earth_colour font ",12"
+set label "B6 (dashed: text, 53.2 N/mm)" at 3.4, 150 left textcolor rgb mars_colour font ",12"
 plot [0:12] 15.9*x with lines dashtype 2 linewidth 1.2 linecolor rgb muted, \
      (x < 3.4 ? 53.2*x : NaN) with lines dashtype 2 linewidth 1.2 linecolor rgb muted, \
      data using (of("B3", 3)):4 with points pointtype 7 pointsize 0.4 linecolor rgb earth_colour, \

@@ -228,7 +228,8 @@ TEST_F(Project, BadClaimsAreAllNamedWithTheirLines) {
         "D107-c,gross_tractive_effort_N,80-40,B3,earth,heavy,60,equal,,many,,match,,\n"
         "D107-d,sinkage_cm,text,B3,earth,170,60,equal,,U,s,match,,\n"
         "D107-d,,,,,,,none,,,,not-computable,,\n"
-        "D109,ratio:gross_tractive_effort_N,text,B3,earth,170,60,equal,,U,s,match,,\n";
+        "D109,ratio:gross_tractive_effort_N,text,B3,earth,170,60,equal,,U,s,match,,\n"
+        "D107-e,gross_tractive_effort_N,text,B3,,170,60,equal,,U,s,match,,\n";
     const auto text = message_of([&] { static_cast<void>(check(rows, {})); });
     for (const char* part :
          {"claims.csv:2: the id 'D999'", "claims.csv:3: metric 'thrust'", "claims.csv:4: compare 'same'",
@@ -236,7 +237,7 @@ TEST_F(Project, BadClaimsAreAllNamedWithTheirLines) {
           "claims.csv:5: tolerance 'many'", "claims.csv:5: the tolerance 'many' has no origin",
           "claims.csv:6: sinkage_cm is in cm but the ledger row in N", "claims.csv:7: the id D107-d stands twice",
           "claims.csv:7: a row that is not computed needs its reason",
-          "claims.csv:8: a ratio:gross_tractive_effort_N needs"})
+          "claims.csv:8: a ratio:gross_tractive_effort_N needs", "claims.csv:9: the runs are not selected"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
 }
 

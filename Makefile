@@ -1,0 +1,56 @@
+# The front door: every target sets up what it needs (packages by apt, program by CMake) and then does its work.
+# `make help` lists them. JOBS=n limits the cores; a sweep uses one core a case, since cases are independent.
+
+JOBS      ?= $(shell nproc)
+BUILD     := build
+CXX_FAST  := clang++
+IFEDEM    := $(BUILD)/ifedem
+PACKAGES  := clang cmake ninja-build g++ gnuplot-nox libomp-dev libeigen3-dev libgsl-dev libhdf5-dev libgtest-dev \
+             libfmt-dev libcli11-dev libtomlplusplus-dev libclang-rt-14-dev fonts-dejavu-core pkg-config
+SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
+
+export JOBS IFEDEM
+
+.PHONY: help setup build test test-determinism reproduce-chapter3 quick-chapter3 check sanitize sanitize-unit clean
+.DEFAULT_GOAL := help
+
+help: ## list the targets
+	@sed -n 's/^\([a-zA-Z0-9%_-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | column -t -s "$$(printf '\t')"
+
+setup: $(BUILD)/.packages ## install Debian packages that are missing
+
+$(BUILD)/.packages: Makefile
+	@mkdir -p $(BUILD)
+	@missing=; for p in $(PACKAGES); do dpkg -s $$p >/dev/null 2>&1 || missing="$$missing $$p"; done; \
+	if [ -n "$$missing" ]; then echo "installing$$missing"; \
+	  $(SUDO) apt-get update -qq && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; fi
+	@touch $@
+
+build: $(BUILD)/.packages ## configure and compile the program
+	@[ -f $(BUILD)/build.ninja ] || cmake -S . -B $(BUILD) -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST)
+	@cmake --build $(BUILD) --target ifedem -j $(JOBS)
+
+test: build ## unit, verification, stability, determinism and reliability tests
+	@cmake --build $(BUILD) -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
+	@tests/determinism/run_matrix.sh
+
+sanitize sanitize-unit: $(BUILD)/.packages ## tests (all, or the unit tests) under AddressSanitizer and UndefinedBehaviorSanitizer
+	@cmake -S . -B $(BUILD)-sanitize -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_SANITIZE=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null
+	@cmake --build $(BUILD)-sanitize -j $(JOBS)
+	@ctest --test-dir $(BUILD)-sanitize --output-on-failure -j $(JOBS) $(if $(filter sanitize-unit,$@),-L unit)
+
+reproduce-chapter3: build ## simulate, check and report chapter 3
+	@$(MAKE) --no-print-directory -f reproductions/chapter3/chapter.mk reproduce
+
+quick-chapter3: build ## the same machinery on two short runs, under two minutes
+	@$(MAKE) --no-print-directory -f reproductions/chapter3/chapter.mk quick
+
+check: build ## what a contributor runs before a commit: format, tidy, tests
+	@find lib tests -name '*.?pp' | xargs clang-format --dry-run -Werror
+	@$(MAKE) --no-print-directory test
+
+clean: ## remove everything that was built or simulated
+	rm -rf $(BUILD) $(BUILD)-sanitize

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <ctime>
+
+namespace ifedem {
+
+enum class Phase { lists, pairs, walls, wheel_contact, wheel_force, wheel_motion, discs, watch, count };
+inline constexpr std::array<const char*, 8> phase_name = {"neighbour lists", "disc-disc forces",  "walls",
+                                                          "wheel contact",   "wheel elements",    "wheel and control",
+                                                          "disc integration", "movement watch"};
+
+/// Seconds spent in each phase of the step; off unless asked for.
+struct Profile {
+    bool on = false;
+    std::array<double, 8> seconds{};
+};
+
+/// Books the time since the last call on a phase.
+class Lap {
+public:
+    explicit Lap(Profile& profile) : profile_(profile), last_(profile.on ? now() : 0.0) {}
+    void operator()(Phase phase) {
+        if (!profile_.on) return;
+        const double t = now();
+        profile_.seconds[static_cast<std::size_t>(phase)] += t - last_;
+        last_ = t;
+    }
+
+private:
+    static double now() {
+        timespec t{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+        return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+    }
+    Profile& profile_;
+    double last_;
+};
+
+}  // namespace ifedem

@@ -1,0 +1,541 @@
+// Discs against closed forms: collisions, friction, rolling, statics, conservation, step limits.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "support/dem_scenes.hpp"
+
+namespace ifedem {
+namespace {
+
+using namespace scene;
+constexpr double g = 9.81;
+
+const char* name_of(Integrator i) {
+    if (i == Integrator::symplectic_euler) return "symplectic";
+    return i == Integrator::modified_euler_one ? "modified-1" : "modified-2";
+}
+
+// ---- Head-on collision of two discs: linear spring and dashpot ----------------------------------------------------
+
+/// Restitution and duration of δ̈ + 2ζω δ̇ + ω²δ = 0 from touch to the end of the contact.
+struct Impact {
+    double restitution = 0;
+    double duration_omega = 0;  ///< t ω0
+};
+
+/// Ends where the overlap does: half a damped period. Ends where the force does (no attraction): Schwager & Pöschel
+/// 2007.
+Impact closed_form(double zeta, ContactEnd end) {
+    const double damped = std::sqrt(1 - zeta * zeta);
+    const double phase = end == ContactEnd::attraction ? pi : pi - std::atan2(2 * zeta * damped, 1 - 2 * zeta * zeta);
+    return {std::exp(-zeta / damped * phase), phase / damped};
+}
+
+/// Where the contact begins: exactly at a step, or anywhere between two, shared evenly by many pairs of discs.
+enum class Entry { at_a_step, spread };
+
+/// What the code makes of it: the mean over the pairs (for spread entries without their noise) and the worst of them.
+struct Measured {
+    double mean_restitution = 0, mean_duration_omega = 0;
+    double worst_error = 0;  ///< of restitution, relative
+};
+
+Measured collide(double zeta, ContactEnd end, Integrator integrator, double step_share, Entry entry) {
+    constexpr double mass = 0.005, radius = 0.0025, approach = 0.2;
+    const std::size_t pairs = entry == Entry::spread ? 64 : 1;
+    const double omega = std::sqrt(stiffness_N_m / (mass / 2));
+    const Impact exact = closed_form(zeta, end);
+    const double dt = step_share * exact.duration_omega / omega;
+    std::vector<Disc> discs;
+    for (std::size_t k = 0; k < pairs; ++k) {
+        const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(pairs),
+                     y = 0.02 * static_cast<double>(k);
+        const double gap = entry == Entry::spread ? share * approach * dt : -1e-16;
+        discs.push_back(make_disc({0, y}, radius, mass, {approach / 2, 0}));
+        discs.push_back(make_disc({2 * radius + gap, y}, radius, mass, {-approach / 2, 0}));
+    }
+    World w = make_world(make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0, end), zeta, dt), discs, integrator);
+    if (integrator != Integrator::symplectic_euler && entry == Entry::at_a_step) {
+        const double first = 2 * zeta * omega * approach / 2;  // C δ̇ / m: the dashpot acts at once
+        w.state.discs.acceleration = {{-first, 0, 0, 0}, {first, 0, 0, 0}};
+    }
+    double pushes = 0;
+    for (int n = 0; n < static_cast<int>(1.4 / step_share) + 3; ++n) {
+        advance(w, 1);
+        for (std::size_t p = 0; p < discs.size(); ++p) pushes += force_on(w, p).x_N != 0 ? 0.5 : 0.0;
+    }
+    Measured m;
+    for (std::uint32_t k = 0; k < pairs; ++k) {
+        const double e = (disc_of(w, 2 * k + 1).vx_m_s - disc_of(w, 2 * k).vx_m_s) / approach;
+        m.mean_restitution += e / static_cast<double>(pairs);
+        m.worst_error = std::fmax(m.worst_error, std::fabs(e / exact.restitution - 1));
+    }
+    m.mean_duration_omega = pushes / static_cast<double>(pairs) * dt * omega;
+    return m;
+}
+
+TEST(Collision, closed_forms_are_those_of_the_tables) {
+    // e and t·ω0 as tabulated from an independent integration; half a unit of their last digit.
+    const double table[6][5] = {
+        {0.05, 0.854468, 3.14553, 0.858758, 3.04536}, {0.1, 0.729248, 3.15742, 0.744079, 2.95608},
+        {0.2, 0.526621, 3.20637, 0.571740, 2.79535},  {0.3, 0.372326, 3.29328, 0.450975, 2.65447},
+        {0.5, 0.163034, 3.62760, 0.298436, 2.41840},  {0.7, 0.045988, 4.39911, 0.210285, 2.22756}};
+    for (const auto& row : table) {
+        const Impact pull = closed_form(row[0], ContactEnd::attraction),
+                     none = closed_form(row[0], ContactEnd::no_attraction);
+        EXPECT_NEAR(pull.restitution, row[1], 0.51e-6);
+        EXPECT_NEAR(pull.duration_omega, row[2], 0.51e-5);
+        EXPECT_NEAR(none.restitution, row[3], 0.51e-6);
+        EXPECT_NEAR(none.duration_omega, row[4], 0.51e-5);
+    }
+}
+
+class Restitution : public testing::TestWithParam<std::tuple<Integrator, ContactEnd>> {};
+
+TEST_P(Restitution, converges_to_the_closed_form) {
+    const auto [integrator, end] = GetParam();
+    const bool symplectic = integrator == Integrator::symplectic_euler, pulls = end == ContactEnd::attraction;
+    std::printf("%s, %s: relative errors of e at 1, 0.5, 0.25 %% of the contact time\n", name_of(integrator),
+                pulls ? "attraction" : "no attraction");
+    std::printf("   zeta  contact begins at a step    order  worst of 64 entries      mean extrapolated: e, t\n");
+    for (const double zeta : {0.05, 0.1, 0.2, 0.3, 0.5, 0.7}) {
+        const Impact exact = closed_form(zeta, end);
+        std::array<Measured, 3> m;
+        std::array<double, 3> error{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            m[k] = collide(zeta, end, integrator, 0.01 / (1 << k), Entry::spread);
+            error[k] =
+                collide(zeta, end, integrator, 0.01 / (1 << k), Entry::at_a_step).mean_restitution / exact.restitution -
+                1;
+        }
+        const double order = std::log2((error[0] - error[1]) / (error[1] - error[2]));
+        // Symplectic: errors of order 1 and 2 removed; modified Euler: of order 2.
+        const auto extrapolate = [&](double a, double b, double c) {
+            return symplectic ? (4 * (2 * c - b) - (2 * b - a)) / 3 : c + (c - b) / 3;
+        };
+        const double e = extrapolate(m[0].mean_restitution, m[1].mean_restitution, m[2].mean_restitution);
+        const double t = extrapolate(m[0].mean_duration_omega, m[1].mean_duration_omega, m[2].mean_duration_omega);
+        std::printf("   %4.2f  %+.1e %+.1e %+.1e  %5.2f  %.1e %.1e %.1e  %+.1e %+.1e\n", zeta, error[0], error[1],
+                    error[2], order, m[0].worst_error, m[1].worst_error, m[2].worst_error, e / exact.restitution - 1,
+                    t / exact.duration_omega - 1);
+        EXPECT_NEAR(e / exact.restitution, 1, 1e-3) << "zeta " << zeta;
+        EXPECT_NEAR(t / exact.duration_omega, 1, 1e-3) << "zeta " << zeta;
+        // Where the dashpot's pull jumps to nothing at the end too, one step more or less hides the order.
+        if (!pulls) EXPECT_NEAR(order, symplectic ? 1 : 2, 0.25) << "zeta " << zeta;
+        // The worst entry is of first order whatever the scheme: the dashpot's force jumps where the contact begins.
+        EXPECT_LT(m[2].worst_error, 0.6 * m[0].worst_error) << "zeta " << zeta;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllIntegrators, Restitution,
+                         testing::Combine(testing::Values(Integrator::symplectic_euler, Integrator::modified_euler_one,
+                                                          Integrator::modified_euler_two),
+                                          testing::Values(ContactEnd::no_attraction, ContactEnd::attraction)));
+
+/// ζ that gives a wanted restitution, by bisection of the closed form.
+double find_damping_ratio(double restitution, ContactEnd end) {
+    double low = 0, high = 0.707;  // e falls from 1; the atan2 branch ends at 1/√2
+    for (int n = 0; n < 100; ++n) {
+        const double middle = 0.5 * (low + high);
+        (closed_form(middle, end).restitution > restitution ? low : high) = middle;
+    }
+    return low;
+}
+
+// Chung & Ooi 2011, test 3: what rebounds from a wall is e times what arrives, here with e put in through ζ.
+TEST(ChungOoi, case_3_rebound_over_impact_is_the_restitution) {
+    constexpr int discs_side_by_side = 64;
+    constexpr double mass = 2.6e-4, radius = 0.0025, speed = 3.9;
+    for (const ContactEnd end : {ContactEnd::no_attraction, ContactEnd::attraction}) {
+        for (const double wanted : {0.3, 0.4, 0.6, 0.8, 1.0}) {
+            const double zeta = find_damping_ratio(wanted, end);
+            const double stiffness = 1e8,
+                         dt = closed_form(zeta, end).duration_omega / std::sqrt(stiffness / mass) / 1000;
+            std::vector<Disc> discs;
+            for (int k = 0; k < discs_side_by_side; ++k)
+                discs.push_back(make_disc({0.02 * k, radius + speed * dt * (k + 0.5) / discs_side_by_side}, radius,
+                                          mass, {0, -speed}));
+            DemConstants dem = make_dem(make_contact(stiffness, stiffness / 4, 0, end), zeta, dt);
+            dem.flat_walls = {{{0, 0}, {0, 1}}};
+            World w = make_world(dem, discs);
+            advance(w, 1400);
+            double mean = 0;
+            for (const Disc& d : w.state.discs.disc) mean += d.vy_m_s / speed / discs_side_by_side;
+            std::printf("case 3: wanted e %.2f (zeta %.4f, %s) measured %.5f\n", wanted, zeta,
+                        end == ContactEnd::attraction ? "attraction" : "no attraction", mean);
+            EXPECT_NEAR(mean / wanted, 1, 2e-3);  // the scheme's first-order error at 0.1 % of the contact, ζ ≤ 0.5
+        }
+    }
+}
+
+// Test 4: oblique impact on a wall. Above about 29° from the normal (tan θ > 3 µ (1 + e) for discs) the contact slides
+// throughout, and then the friction impulse is µ times the normal one, whatever the law.
+TEST(ChungOoi, case_4_gross_sliding_impact) {
+    constexpr double mass = 2.618e-4, radius = 0.0025, speed = 3.9, friction = 0.092, restitution = 0.98,
+                     stiffness = 1e10;
+    const double zeta = find_damping_ratio(restitution, ContactEnd::no_attraction);
+    const double dt = closed_form(zeta, ContactEnd::no_attraction).duration_omega / std::sqrt(stiffness / mass) / 1000;
+    std::printf("case 4: angle  e_t  closed  omega'  closed\n");
+    for (const double degrees : {40.0, 50.0, 60.0, 70.0, 80.0, 85.0}) {
+        const double angle = degrees * pi / 180, vt = speed * std::sin(angle), vn = speed * std::cos(angle);
+        DemConstants dem = make_dem(make_contact(stiffness, stiffness / 4, friction), zeta, dt);
+        dem.flat_walls = {{{0, 0}, {0, 1}}};
+        World w = make_world(dem, {make_disc({0, radius + 0.5 * vn * dt}, radius, mass, {vt, -vn})});
+        advance(w, 1400);
+        const Disc& d = disc_of(w, 0);
+        const double e = d.vy_m_s / vn, closed = 1 - friction * (1 + restitution) / std::tan(angle);
+        const double spin = 2 * friction * (1 + restitution) * vn / radius;
+        std::printf("        %4.0f  %.5f %.5f  %8.2f %8.2f\n", degrees, d.vx_m_s / vt, closed, -d.omega_rad_s, spin);
+        EXPECT_NEAR(e, restitution, 1e-4);
+        EXPECT_NEAR(d.vx_m_s, vt - friction * (1 + e) * vn, 1e-12 * speed);  // exact in any number of steps
+        EXPECT_NEAR(d.vx_m_s / vt, closed, 2e-5);
+        EXPECT_NEAR(-d.omega_rad_s / spin, 1, 3e-4);  // the arm is shorter than r by the overlap, up to 2.5e-4 r
+    }
+}
+
+// Test 7: two equal discs with the same spin collide head-on. Turning the picture by 180° changes nothing.
+TEST(ChungOoi, case_7_equal_spins_stay_equal) {
+    for (const double omega : {0.0, 20.0, 100.0, 500.0, 2000.0}) {
+        DemConstants dem = make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.4), 0.1, 5e-6);
+        const Vec2 n{0.6, 0.8}, centre = 0.00250000001 * n;
+        World w = make_world(dem, {make_disc(Vec2{} - centre, 0.0025, 0.005, 0.2 * n, omega),
+                                   make_disc(centre, 0.0025, 0.005, -0.2 * n, omega)});
+        advance(w, 400);
+        const Disc &a = disc_of(w, 0), &b = disc_of(w, 1);
+        const double vt = cross(n, velocity_of(a));
+        std::printf("case 7: omega %6.0f -> %10.4f and %10.4f rad/s, tangential speed %+.6f and %+.6f m/s\n", omega,
+                    a.omega_rad_s, b.omega_rad_s, vt, cross(n, velocity_of(b)));
+        EXPECT_NEAR(a.omega_rad_s, b.omega_rad_s, 1e-12 * omega);
+        EXPECT_NEAR(norm(velocity_of(a) + velocity_of(b)), 0, 1e-15);
+        const double e = -dot(n, velocity_of(a)) / 0.2,
+                     slid = 0.4 * (1 + e) * 0.2;  // friction impulse / m if it slides on
+        if (omega == 0) EXPECT_NEAR(vt, 0, 1e-15);
+        // a's side facing b moves to +t, so friction pushes a to −t.
+        if (omega >= 500) EXPECT_NEAR(vt, -slid, 0.02 * slid);  // the normal turns while they slide
+        if (omega >= 500) EXPECT_NEAR(omega - a.omega_rad_s, 2 * slid / 0.0025, 0.02 * 2 * slid / 0.0025);
+    }
+}
+
+// ---- One disc on a plane: friction and rolling --------------------------------------------------------------------
+
+constexpr double disc_mass = 0.0075, disc_radius = 0.003, plane_stiffness = 1e6, plane_step = 5e-6;
+
+/// A disc at rest on a plane through the origin that falls to the right by `slope`, pressed in by its own weight.
+World make_disc_on_plane(double slope, double friction, double rolling_chords, Vec2 along_and_spin = {}) {
+    DemConstants dem = make_dem(
+        make_contact(plane_stiffness, plane_stiffness / 4, friction, ContactEnd::no_attraction, rolling_chords), 0.2,
+        plane_step, g);
+    const Vec2 normal{std::sin(slope), std::cos(slope)}, down{std::cos(slope), -std::sin(slope)};
+    dem.flat_walls = {{{0, 0}, normal}};
+    const double height = disc_radius - disc_mass * g * std::cos(slope) / plane_stiffness;
+    return make_world(dem,
+                      {make_disc(height * normal, disc_radius, disc_mass, along_and_spin.x * down, along_and_spin.y)});
+}
+
+/// Acceleration down the slope and angular acceleration (clockwise) over the second half of `time_s`.
+struct Acceleration {
+    double along = 0, clockwise = 0;
+};
+Acceleration run_down(World& w, double slope, double time_s) {
+    const Vec2 down{std::cos(slope), -std::sin(slope)};
+    const auto half = static_cast<std::int64_t>(0.5 * time_s / plane_step);
+    advance(w, half);
+    const Disc before = disc_of(w, 0);
+    advance(w, half);
+    const Disc& after = disc_of(w, 0);
+    const double t = static_cast<double>(half) * plane_step;
+    return {dot(velocity_of(after) - velocity_of(before), down) / t, -(after.omega_rad_s - before.omega_rad_s) / t};
+}
+
+// The contact's arm is r less the overlap of 2.5e-5 r: the closed forms hold for a rigid disc to about that.
+constexpr double rigid_tolerance = 1e-4;
+
+TEST(Friction, launched_sliding_ends_rolling) {
+    for (const double friction : {0.1, 0.3, 0.6}) {
+        constexpr double v0 = 0.3;
+        World w = make_disc_on_plane(0, friction, 0, {v0, 0});
+        const auto slip = [&] { return disc_of(w, 0).vx_m_s + disc_of(w, 0).omega_rad_s * disc_radius; };
+        int steps = 0;
+        for (; slip() > 0 && steps < 100000; ++steps) advance(w, 1);
+        const double time = v0 / (3 * friction * g);
+        advance(w, 20000);
+        const Disc& d = disc_of(w, 0);
+        std::printf("launch, mu %.1f: rolls after %.6f s (closed %.6f), v/v0 %.7f, slip %.1e m/s\n", friction,
+                    steps * plane_step, time, d.vx_m_s / v0, slip());
+        EXPECT_NEAR(steps * plane_step, time, 2 * plane_step + rigid_tolerance * time);
+        EXPECT_NEAR(d.vx_m_s / v0, 2.0 / 3, rigid_tolerance);
+        EXPECT_NEAR(slip(), 0, rigid_tolerance * v0);
+    }
+}
+
+TEST(Friction, rolls_or_slides_down_an_incline) {
+    for (const double degrees : {10.0, 30.0, 50.0}) {
+        const double slope = degrees * pi / 180, limit = std::tan(slope) / 3;
+        for (const double share : {2.0, 1.02, 0.98, 0.5, 0.0}) {
+            World w = make_disc_on_plane(slope, share * limit, 0);
+            const Acceleration a = run_down(w, slope, 0.1);
+            const bool rolls = share >= 1;
+            const double along =
+                rolls ? 2.0 / 3 * g * std::sin(slope) : g * (std::sin(slope) - share * limit * std::cos(slope));
+            const double spin = rolls ? along / disc_radius : 2 * share * limit * g * std::cos(slope) / disc_radius;
+            std::printf("incline %2.0f deg, mu %.4f (%.2f of tan/3): a %.6f (closed %.6f), alpha %.3f (%.3f)\n",
+                        degrees, share * limit, share, a.along, along, a.clockwise, spin);
+            EXPECT_NEAR(a.along / along, 1, rigid_tolerance);
+            EXPECT_NEAR(a.clockwise, spin, rigid_tolerance * spin + 1e-9);
+        }
+    }
+}
+
+// A disc that may not turn (a rolling resistance without end) is a block.
+TEST(Friction, block_stops_after_v2_over_2_mu_g) {
+    for (const double friction : {0.2, 0.4, 0.8}) {
+        constexpr double v0 = 0.3;
+        World w = make_disc_on_plane(0, friction, 1e9, {v0, 0});
+        advance(w, static_cast<std::int64_t>((v0 / (friction * g) + 0.02) / plane_step));
+        const double distance = v0 * v0 / (2 * friction * g);
+        std::printf("block, mu %.1f: stops after %.7f m (closed %.7f)\n", friction, disc_of(w, 0).x_m, distance);
+        EXPECT_EQ(disc_of(w, 0).omega_rad_s, 0);
+        EXPECT_NEAR(disc_of(w, 0).vx_m_s, 0, 1e-9);  // 0.02 s are 20 decay times of the spring
+        // The velocity stands half a step behind, and the spring gives back µmg/K_s.
+        EXPECT_NEAR(disc_of(w, 0).x_m, distance,
+                    0.5 * v0 * plane_step + friction * disc_mass * g / (plane_stiffness / 4));
+    }
+}
+
+// ---- Rolling resistance, Eq 2.18 ----------------------------------------------------------------------------------
+
+/// Full chord of a disc pressed on a plane by its weight.
+double chord_m(double slope) {
+    const double overlap = disc_mass * g * std::cos(slope) / plane_stiffness;
+    return 2 * std::sqrt(overlap * (2 * disc_radius - overlap));
+}
+
+// Moments about the contact: m g sin θ r against (full chord) m g cos θ. `share` is tan θ over chord / r.
+TEST(Rolling, neutral_angle_is_chord_over_radius) {
+    const double neutral = std::atan(chord_m(0) / disc_radius);
+    for (const double share : {0.5, 0.98}) {
+        World w = make_disc_on_plane(std::atan(share * std::tan(neutral)), 0.6, 2);
+        const Vec2 start = centre_of(disc_of(w, 0));
+        advance(w, 40000);
+        std::printf("rolling: tan theta %.5f = %.2f chord/r: moved %.1e m, v %.1e m/s, omega %.1e rad/s\n",
+                    share * std::tan(neutral), share, norm(centre_of(disc_of(w, 0)) - start),
+                    norm(velocity_of(disc_of(w, 0))), disc_of(w, 0).omega_rad_s);
+        EXPECT_NEAR(norm(velocity_of(disc_of(w, 0))), 0, 1e-9);
+        EXPECT_EQ(disc_of(w, 0).omega_rad_s, 0);
+    }
+    for (const double share : {1.0, 1.02, 2.0, 4.0}) {  // already rolling: keeps its speed at the neutral angle
+        const double slope = std::atan(share * std::tan(neutral));
+        World w = make_disc_on_plane(slope, 0.6, 2, {0.05, -0.05 / disc_radius});
+        const Acceleration a = run_down(w, slope, 0.1);
+        const double closed = 2.0 / 3 * g * (std::sin(slope) - chord_m(slope) / disc_radius * std::cos(slope));
+        std::printf("rolling: tan theta %.5f = %.2f chord/r: a %+.6f m/s2 (closed %+.6f)\n", std::tan(slope), share,
+                    a.along, closed);
+        EXPECT_NEAR(a.along, closed, 2 * rigid_tolerance * g * std::sin(slope));
+    }
+}
+
+TEST(Rolling, as_a_limit_stops_and_never_reverses) {
+    EXPECT_EQ(apply_rolling(RollingScheme::limit, 3.0, 3.0, 1.0), 2.0);
+    EXPECT_EQ(apply_rolling(RollingScheme::limit, -3.0, -3.0, 1.0), -2.0);
+    EXPECT_EQ(apply_rolling(RollingScheme::limit, 0.5, 0.5, 1.0), 0.0);
+    EXPECT_EQ(apply_rolling(RollingScheme::limit, -0.5, 0.5, 1.0), 0.0);
+    EXPECT_EQ(apply_rolling(RollingScheme::limit, 0.0, 0.0, 1.0), 0.0);
+    EXPECT_EQ(apply_rolling(RollingScheme::limit, 3.0, -1.0, 0.0), 3.0);
+    EXPECT_EQ(apply_rolling(RollingScheme::sign, 0.5, 0.5, 1.0), -0.5);  // the text's law to the letter reverses
+    EXPECT_EQ(apply_rolling(RollingScheme::sign, 0.5, -0.5, 1.0), 1.5);
+    EXPECT_EQ(apply_rolling(RollingScheme::sign, 0.5, 0.0, 1.0), 0.5);
+}
+
+TEST(Rolling, spinning_disc_stops_in_the_time_of_a_constant_moment) {
+    constexpr double omega0 = 50;
+    const double per_s = chord_m(0) * disc_mass * g / (0.5 * disc_mass * disc_radius * disc_radius);
+    for (const RollingScheme scheme : {RollingScheme::limit, RollingScheme::sign}) {
+        World w = make_disc_on_plane(0, 0, 2, {0, omega0});
+        w.scene.dem.rolling = scheme;
+        const auto half = static_cast<std::int64_t>(0.5 * omega0 / per_s / plane_step);
+        advance(w, half);
+        EXPECT_NEAR(disc_of(w, 0).omega_rad_s / omega0, 0.5, 1e-3);
+        advance(w, half + 10);
+        double largest = 0;
+        int reversals = 0;
+        for (int n = 0; n < 1000; ++n) {
+            const double before = disc_of(w, 0).omega_rad_s;
+            advance(w, 1);
+            if (before * disc_of(w, 0).omega_rad_s < 0) ++reversals;
+            largest = std::fmax(largest, std::fabs(disc_of(w, 0).omega_rad_s));
+        }
+        std::printf("spin, %s: stop time %.5f s; afterwards |omega| <= %.2e rad/s, %d reversals in 1000 steps\n",
+                    scheme == RollingScheme::limit ? "limit" : "sign", omega0 / per_s, largest, reversals);
+        if (scheme == RollingScheme::limit) {
+            EXPECT_EQ(largest, 0.0);
+            EXPECT_EQ(reversals, 0);
+        } else {
+            EXPECT_GT(reversals, 900);  // to and fro for ever
+            EXPECT_LT(largest, 1.001 * per_s * plane_step);
+        }
+    }
+}
+
+// ---- Statics ------------------------------------------------------------------------------------------------------
+
+TEST(Statics, column_overlaps_are_the_weights_above) {
+    for (const int count : {1, 2, 5, 10}) {
+        constexpr double mass = 0.005, radius = 0.0025;
+        std::vector<Disc> discs;
+        for (int k = 0; k < count; ++k) discs.push_back(make_disc({0, (2 * k + 1) * radius}, radius, mass));
+        DemConstants dem = make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.6), 0.7, 3e-5, g);
+        dem.flat_walls = {{{0, 0}, {0, 1}}};
+        World w = make_world(dem, discs);
+        advance(w, 30000);
+        const double unit = mass * g / stiffness_N_m;
+        double sum = 0, worst = 0, below = -radius;
+        for (int k = 0; k < count; ++k) {
+            const double overlap = 2 * radius - (disc_of(w, static_cast<std::uint32_t>(k)).y_m - below);
+            below = disc_of(w, static_cast<std::uint32_t>(k)).y_m;
+            worst = std::fmax(worst, std::fabs(overlap / ((count - k) * unit) - 1));
+            sum += overlap;
+        }
+        std::printf("column of %2d: overlaps sum to %.9f mg/Kn (closed %.1f), worst overlap off by %.1e\n", count,
+                    sum / unit, 0.5 * count * (count + 1), worst);
+        EXPECT_NEAR(sum / unit, 0.5 * count * (count + 1), 1e-6);  // what is left of settling after 0.9 s
+        EXPECT_LT(worst, 1e-6);
+    }
+}
+
+// ---- Conservation -------------------------------------------------------------------------------------------------
+
+/// Two unequal discs in an oblique, spinning, rubbing collision away from the origin.
+World make_oblique_pair(double rolling_chords, Integrator integrator) {
+    return make_world(
+        make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.5, ContactEnd::no_attraction, rolling_chords), 0.2,
+                 1e-5),
+        {make_disc({0.3, 0.2}, 0.002, 0.0033, {0.5, 0.1}, 120),
+         make_disc({0.3036, 0.2036}, 0.003, 0.0074, {-0.2, -0.4}, -40)},
+        integrator);
+}
+
+/// Largest change of the momenta in 400 steps, as shares of Σ m |v| and Σ (m |x| |v| + I |ω|).
+struct Drift {
+    double linear = 0, angular = 0;
+};
+Drift find_drift(World w) {
+    double sum = 0, moments = 0;
+    for (const Disc& d : w.state.discs.disc) {
+        sum += mass_of(d) * norm(velocity_of(d));
+        moments += mass_of(d) * norm(centre_of(d)) * norm(velocity_of(d)) + inertia_of(d) * std::fabs(d.omega_rad_s);
+    }
+    const Momentum before = momentum_of(w.state);
+    Drift drift;
+    for (int n = 0; n < 400; ++n) {
+        advance(w, 1);
+        const Momentum now = momentum_of(w.state);
+        drift.linear = std::fmax(drift.linear, norm(now.linear_Ns - before.linear_Ns) / sum);
+        drift.angular = std::fmax(drift.angular, std::fabs(now.angular_Nms - before.angular_Nms) / moments);
+    }
+    EXPECT_GT(std::fabs(disc_of(w, 0).omega_rad_s - 120), 1);  // they did collide
+    return drift;
+}
+
+TEST(Conservation, momentum_of_an_isolated_pair) {
+    constexpr double round_off = 1e-13;  // 400 steps of some 1e-16 each, with a margin
+    for (const Integrator i :
+         {Integrator::symplectic_euler, Integrator::modified_euler_one, Integrator::modified_euler_two}) {
+        const Drift smooth = find_drift(make_oblique_pair(0, i)), rolling = find_drift(make_oblique_pair(2, i));
+        std::printf("pair, %s: drift of momentum %.1e, of angular momentum %.1e; with rolling resistance %.1e, %.1e\n",
+                    name_of(i), smooth.linear, smooth.angular, rolling.linear, rolling.angular);
+        EXPECT_LT(smooth.linear, round_off);
+        EXPECT_LT(rolling.linear, round_off);
+        // Only forces along the line of the same positions conserve it exactly; modified Euler corrects positions
+        // afterwards.
+        EXPECT_LT(smooth.angular, i == Integrator::symplectic_euler ? round_off : 1e-6);
+        // Eq 2.18 acts against each disc's own ω and is no pair of moments: the angular momentum of spins is braked.
+        EXPECT_GT(rolling.angular, 100 * round_off);
+    }
+}
+
+// ---- Critical time step -------------------------------------------------------------------------------------------
+
+constexpr double squeeze_N = 0.1, soft_N_m = 100, pair_mass = 0.005, pair_radius = 0.0025;
+
+/// Two discs held together by soft frictionless walls, so that they can oscillate about a touch.
+World make_squeezed_pair(double zeta, double tangential_N_m, double dt) {
+    DemConstants dem = make_dem(make_contact(stiffness_N_m, tangential_N_m, 1e3), zeta, dt);
+    dem.wall = make_contact(soft_N_m, soft_N_m, 0);
+    const double first = pair_radius - squeeze_N / soft_N_m,
+                 second = first + 2 * pair_radius - squeeze_N / stiffness_N_m;
+    dem.flat_walls = {{{0, 0}, {1, 0}}, {{second + first, 0}, {-1, 0}}};
+    return make_world(dem,
+                      {make_disc({first, 0}, pair_radius, pair_mass), make_disc({second, 0}, pair_radius, pair_mass)});
+}
+
+/// Growth a step of a mode that flips sign at every step, and the largest amplitude in 100 steps, times the first.
+double growth_a_step(World w, double Disc::*speed, double kick) {
+    w.state.discs.disc[0].*speed = kick;
+    w.state.discs.disc[1].*speed = speed == &Disc::omega_rad_s ? kick : -kick;
+    advance(w, 40);
+    const double early = std::fabs(disc_of(w, 0).*speed);
+    advance(w, 20);
+    return std::pow(std::fabs(disc_of(w, 0).*speed) / early, 1.0 / 20);
+}
+double largest_amplification(World w, double Disc::*speed, double kick) {
+    w.state.discs.disc[0].*speed = kick;
+    w.state.discs.disc[1].*speed = speed == &Disc::omega_rad_s ? kick : -kick;
+    double largest = 0;
+    for (int n = 0; n < 100; ++n) {  // later the squeezed pair buckles sideways, as it should
+        advance(w, 1);
+        largest = std::fmax(largest, std::fabs(disc_of(w, 0).*speed) / kick);
+    }
+    return largest;
+}
+
+// Symplectic steps of ẍ + 2ζω ẋ + ω²x = 0 with a lagged dashpot: λ² − (2 − Ω² − 2ζΩ) λ + 1 − 2ζΩ = 0, Ω = ω Δt. λ = −1
+// at Ω = 2 (√(1+ζ²) − ζ): without damping the pair normal limit 2/√(2k/m).
+double flip_factor(double zeta, double big_omega) {
+    const double trace = 2 - big_omega * big_omega - 2 * zeta * big_omega, product = 1 - 2 * zeta * big_omega;
+    return 0.5 * (trace - std::sqrt(trace * trace - 4 * product));
+}
+
+TEST(CriticalStep, normal_oscillation_of_a_pair) {
+    for (const double zeta : {0.0, 0.2, 0.5}) {
+        const double omega = std::sqrt((2 * stiffness_N_m + soft_N_m) / pair_mass);  // the soft walls are part of it
+        const double dashpots =
+            2 * 2 * zeta * std::sqrt(stiffness_N_m * pair_mass / 2) + 2 * zeta * std::sqrt(soft_N_m * pair_mass);
+        const double ratio = dashpots / (2 * pair_mass * omega),
+                     limit = 2 * (std::sqrt(1 + ratio * ratio) - ratio) / omega;
+        const double above =
+            growth_a_step(make_squeezed_pair(zeta, stiffness_N_m / 4, 1.002 * limit), &Disc::vx_m_s, 1e-8);
+        const double below =
+            largest_amplification(make_squeezed_pair(zeta, stiffness_N_m / 4, 0.998 * limit), &Disc::vx_m_s, 1e-8);
+        const double factor = -flip_factor(ratio, 1.002 * limit * omega);
+        std::printf(
+            "critical step, normal, zeta %.1f: %.4e s; 0.2 %% above: %.5f a step (closed %.5f), 0.2 %% below: at most "
+            "%.1f times\n",
+            zeta, limit, above, factor, below);
+        EXPECT_NEAR(above - 1, factor - 1, 0.02 * (factor - 1));
+        EXPECT_LT(below, 1.05 / std::sqrt(1 - 0.998 * 0.998) + 1);  // amplitude of the bounded oscillation, undamped
+    }
+}
+
+TEST(CriticalStep, sliding_and_spinning_of_a_pair) {
+    const double arm = pair_radius - 0.5 * squeeze_N / stiffness_N_m,
+                 inertia = 0.5 * pair_mass * pair_radius * pair_radius;
+    const double omega = std::sqrt(stiffness_N_m * (2 / pair_mass + 2 * arm * arm / inertia));  // √(6 k_s/m)
+    const double limit = 2 / omega;
+    const double above = growth_a_step(make_squeezed_pair(0, stiffness_N_m, 1.003 * limit), &Disc::omega_rad_s, 1e-6);
+    const double below =
+        largest_amplification(make_squeezed_pair(0, stiffness_N_m, 0.997 * limit), &Disc::omega_rad_s, 1e-6);
+    const double factor = -flip_factor(0, 2 * 1.003);
+    std::printf(
+        "critical step, tangential: %.4e s = %.5f / sqrt(6 ks/m); 0.3 %% above: %.5f a step (closed %.5f), below: at "
+        "most %.1f times\n",
+        limit, limit * std::sqrt(6 * stiffness_N_m / pair_mass), above, factor, below);
+    EXPECT_NEAR(limit * std::sqrt(6 * stiffness_N_m / pair_mass), 2, 1e-3);
+    EXPECT_NEAR(above - 1, factor - 1, 0.02 * (factor - 1));
+    EXPECT_LT(below, 1.05 / std::sqrt(1 - 0.997 * 0.997) + 1);
+}
+
+}  // namespace
+}  // namespace ifedem
