@@ -71,23 +71,48 @@ void require_realisations(const Campaign& campaign) {
         }
 }
 
+/// The text's window if the run reached its end; else the same share of what it was told to travel, at least one pitch.
+MeasuredRun measure_run(Run run) {
+    MeasuredRun m{std::move(run), {}, {}, {}};
+    m.condition = condition_of(m.run.c);
+    Window window = averaging_window(m.condition.slip_percent);
+    const double distance = m.run.c.travel.distance_m;
+    if (distance < window.to_m) {
+        m.shortfall = fmt::format("{} travelled {:g} m of the {:g} m that the text's window needs", m.run.name,
+                                  distance, window.to_m);
+        const double last_pitch = distance - lug_pair_pitch_m(m.run.c);
+        window = {std::max(0.0, std::min(distance * window.from_m / window.to_m, last_pitch)), distance};
+    }
+    try {
+        m.metrics = measure(m.run, window);
+    } catch (const Error& e) {
+        m.shortfall = e.what();
+        m.metrics = unknown_metrics();
+    }
+    return m;
+}
+
+void read_directory(const std::string& name, Campaign& campaign) {
+    const std::filesystem::path directory(name);
+    const bool is_run = std::filesystem::exists(directory / "case.toml");
+    const bool is_stiffness = std::filesystem::exists(directory / "stiffness_summary.csv");
+    if (!is_run && !is_stiffness)
+        fail_input(
+            fmt::format("{}: neither case.toml nor stiffness_summary.csv is there. Give run directories.", name));
+    if (is_stiffness) read_stiffness(directory, campaign);
+    if (is_run) campaign.runs.push_back(measure_run(read_run(name)));
+}
+
 }  // namespace
 
 Campaign read_campaign(const std::vector<std::string>& directories) {
     Campaign campaign;
     for (const auto& name : directories) {
-        const std::filesystem::path directory(name);
-        const bool is_run = std::filesystem::exists(directory / "case.toml");
-        const bool is_stiffness = std::filesystem::exists(directory / "stiffness_summary.csv");
-        if (!is_run && !is_stiffness)
-            fail_input(
-                fmt::format("{}: neither case.toml nor stiffness_summary.csv is there. Give run directories.", name));
-        if (is_stiffness) read_stiffness(directory, campaign);
-        if (!is_run) continue;
-        Run run = read_run(name);
-        const Condition condition = condition_of(run.c);
-        RunMetrics metrics = measure(run, averaging_window(condition.slip_percent));
-        campaign.runs.push_back({std::move(run), condition, metrics});
+        try {
+            read_directory(name, campaign);
+        } catch (const Error& e) {
+            campaign.unusable.emplace_back(e.what());
+        }
     }
     std::stable_sort(campaign.runs.begin(), campaign.runs.end(), [](const MeasuredRun& a, const MeasuredRun& b) {
         return std::tie(a.condition, a.run.name, a.run.directory) < std::tie(b.condition, b.run.name, b.run.directory);
@@ -101,7 +126,8 @@ ValuesBySlip collect(const Campaign& campaign, const std::string& wheel, const s
     ValuesBySlip values;
     for (const auto& run : campaign.runs) {
         const auto& c = run.condition;
-        if (c.wheel != wheel || c.gravity != gravity || std::abs(c.load_N - load_N) > 1e-9) continue;
+        if (c.wheel != wheel || c.gravity != gravity || std::abs(c.load_N - load_N) > 1e-9 || !run.shortfall.empty())
+            continue;
         values[c.slip_percent].push_back(window ? measure(run.run, *window).*member : run.metrics.*member);
     }
     return values;

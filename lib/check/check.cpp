@@ -76,6 +76,7 @@ std::string verdict_line(const std::vector<Outcome>& outcomes) {
 int run_check(const std::string& claims_path, const std::vector<std::string>& run_dirs, const std::string& out_path) {
     const CheckResult result = check_claims(claims_path, run_dirs);
     write_text(out_path, checks_to_csv(result.outcomes));
+    for (const auto& reason : result.campaign.unusable) fmt::print("not used: {}\n", reason);
     bool is_worse_somewhere = false;
     for (const auto& o : result.outcomes) {
         if (!o.is_worse_than_expected()) continue;

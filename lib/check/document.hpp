@@ -42,12 +42,12 @@ struct FigureGroup {
     std::vector<Figure> figures;
 };
 
-using Block = std::variant<Paragraph, BulletList, Table, FigureGroup>;
+using SectionPart = std::variant<Paragraph, BulletList, Table, FigureGroup>;
 
 struct Section {
     std::string id;
     std::string title;
-    std::vector<Block> blocks;
+    std::vector<SectionPart> blocks;
 };
 
 /// One part of the first line's count.

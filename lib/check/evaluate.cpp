@@ -75,12 +75,25 @@ ValuesBySlip collect_side(const Campaign& campaign, const Claim& claim, std::siz
     return values;
 }
 
+/// Why there is no run: none was made, or it did not get far enough.
+Missing missing_run(const Judge& j, std::size_t side) {
+    const auto& s = j.claim.selection;
+    for (const auto& run : j.campaign.runs) {
+        const auto& c = run.condition;
+        const bool fits = c.wheel == s.wheel && c.gravity == s.gravity.at(side) &&
+                          std::abs(c.load_N - s.load_N.at(side)) < 1e-9 &&
+                          std::abs(c.slip_percent - s.slip_from_percent) < 1e-9;
+        if (fits && !run.shortfall.empty()) return {run.shortfall};
+    }
+    return {fmt::format("no run of {}", wanted_runs(j.claim, side))};
+}
+
 /// Mean, scatter and U of one side of a claim at its one slip.
 std::variant<Quantity, Missing> window_mean(const Judge& j, std::size_t side, const std::string& printed,
                                             const std::string& units) {
     const auto values = collect_side(j.campaign, j.claim, side);
     const auto group = values.find(j.claim.selection.slip_from_percent);
-    if (group == values.end()) return Missing{fmt::format("no run of {}", wanted_runs(j.claim, side))};
+    if (group == values.end()) return missing_run(j, side);
     if (std::any_of(group->second.begin(), group->second.end(), [](double v) { return !std::isfinite(v); }))
         return Missing{fmt::format("the runs do not record {}", without_prefix(j.claim.metric))};
     const double reading = reading_uncertainty(printed, units, j.claim.selection.gravity.at(side));
@@ -140,12 +153,13 @@ std::variant<Quantity, Missing> longest_time(const Judge& j, double seconds_per_
         const auto& c = run.condition;
         if (c.wheel != s.wheel || c.gravity != s.gravity.at(0) || std::abs(c.load_N - s.load_N.at(0)) > 1e-9) continue;
         if (c.slip_percent < s.slip_from_percent || c.slip_percent > s.slip_to_percent) continue;
+        if (!run.shortfall.empty()) continue;
         const auto seconds = parse_number(run.run.text("wall_s"));
         if (!seconds) continue;
         q.value = std::max(q.value, *seconds / seconds_per_unit);
         ++q.n;
     }
-    if (q.n == 0) return Missing{"no run tells its wall_s"};
+    if (q.n == 0) return Missing{"no finished run tells its wall_s"};
     q.detail = "another machine, compiler and time step than the text's";
     return q;
 }

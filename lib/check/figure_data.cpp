@@ -184,7 +184,7 @@ const MeasuredRun* find_run(const Campaign& campaign, const CurveName& curve) {
     for (const auto& run : campaign.runs) {
         const auto& c = run.condition;
         if (c.wheel == drawn_wheel && c.gravity == curve.gravity && std::abs(c.load_N - curve.load_N) < 1e-9 &&
-            std::abs(c.slip_percent - curve.slip_percent) < 1e-9)
+            std::abs(c.slip_percent - curve.slip_percent) < 1e-9 && std::isfinite(run.metrics.torque_Nm))
             return &run;
     }
     return nullptr;

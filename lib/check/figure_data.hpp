@@ -5,7 +5,6 @@
 
 #include "check/campaign.hpp"
 #include "check/evaluate.hpp"
-#include "check/snapshot.hpp"
 
 namespace ifedem {
 

@@ -97,20 +97,17 @@ std::optional<std::string> line_data(const FigureRow& row, const Campaign& campa
     return series_data(*run);
 }
 
-/// Any realisation will do for a picture; the first one that kept a snapshot is drawn.
-std::optional<Figure> draw_snapshot(const FigureRow& row, const ReportPaths& paths, const Campaign& campaign) {
+/// Any realisation will do for a picture; the first one that drew one is shown. Its data are the run's own results.
+std::optional<Figure> copy_snapshot(const FigureRow& row, const ReportPaths& paths, const Campaign& campaign) {
     const auto* first = find_run(campaign, parse_curve(row.series));
     if (!first) return std::nullopt;
     for (const auto& run : campaign.runs) {
-        if (run.condition != first->condition) continue;
-        const std::string discs = run.run.directory + "/snapshot_discs.csv";
-        const std::string wheel = run.run.directory + "/snapshot_wheel.csv";
-        if (!fs::exists(discs) || !fs::exists(wheel)) continue;
+        const fs::path picture = fs::path(run.run.directory) / row.script;
+        if (run.condition != first->condition || !fs::exists(picture)) continue;
         Figure figure = start_figure(row, "png");
-        write_text(paths.out + "/" + figure.data, read_text(discs));
+        figure.data.clear();
         figure.caption += fmt::format(" Run {}.", run.run.name);
-        run_gnuplot(paths.chapter + "/" + row.script, {{"style", paths.style}, {"data", discs}, {"wheel", wheel}},
-                    paths.out + "/" + figure.image);
+        fs::copy_file(picture, paths.out + "/" + figure.image, fs::copy_options::overwrite_existing);
         return figure;
     }
     return std::nullopt;
@@ -136,7 +133,7 @@ std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campa
     fs::create_directories(fs::path(paths.out) / "figures");
     for (const auto& row : read_rows(paths.chapter + "/figures.csv")) {
         const auto figure =
-            row.data == "snapshot" ? draw_snapshot(row, paths, campaign) : draw_lines(row, paths, campaign, outcomes);
+            row.data == "snapshot" ? copy_snapshot(row, paths, campaign) : draw_lines(row, paths, campaign, outcomes);
         if (figure) figures.push_back(*figure);
     }
     return figures;

@@ -20,7 +20,7 @@ struct ReportPaths {
 /// A line: name, script, data, metric, series, title, ylabel, caption, style.
 ///   data "slip": `metric` against slip for each "gravity load" of `series` (separated by |), with the text's numbers
 ///   data "series": torque, net traction and sinkage of the first run of "gravity load slip" against travel
-///   data "snapshot": soil and wheel at the end of the first such run that has a snapshot
+///   data "snapshot": the picture named `script` that a run of "gravity load slip" left in its directory
 ///   data "stiffness": load against deflection;   data "agreement": error over tolerance of all numbers
 [[nodiscard]] std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campaign,
                                                const std::vector<Outcome>& outcomes);

@@ -136,6 +136,15 @@ RunMetrics measure(const Run& run, const Window& window) {
     m.measured_slip_percent = 100 * (1 - speed / (m.effective_radius_m * omega));
     m.horizontal_imbalance_N = m.direct_thrust_N + m.direct_resistance_N - m.net_traction_N;
     m.vertical_imbalance_N = m.vertical_force_N - run.c.wheel.load_N;
+    for (const auto& [name, values] : run.travel)
+        if (name.ends_with("_J")) m.energy_J[name] = at_time(time, values, to) - at_time(time, values, from);
+    return m;
+}
+
+RunMetrics unknown_metrics() {
+    RunMetrics m;
+    for (const auto& info : metric_table()) m.*info.member = std::numeric_limits<double>::quiet_NaN();
+    m.drawbar_deviation_N = std::numeric_limits<double>::quiet_NaN();
     return m;
 }
 

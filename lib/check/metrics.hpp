@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,15 +44,19 @@ struct RunMetrics {
     double torque_Nm = 0;
     double sinkage_cm = 0;
     double effective_radius_m = 0;
-    double deflection_mm = 0;           ///< tread radius − ⟨r_e⟩ (section 3.3.2)
-    double measured_slip_percent = 0;   ///< 1 − ⟨V⟩/(⟨r_e⟩⟨ω⟩)
-    double horizontal_imbalance_N = 0;  ///< ⟨Σ F_x⟩ − ⟨P_d⟩: 0 for a wheel that does not accelerate
-    double vertical_imbalance_N = 0;    ///< ⟨Σ F_y⟩ − W
-    double drawbar_deviation_N = 0;     ///< standard deviation of P within the window
+    double deflection_mm = 0;                ///< tread radius − ⟨r_e⟩ (section 3.3.2)
+    double measured_slip_percent = 0;        ///< 1 − ⟨V⟩/(⟨r_e⟩⟨ω⟩)
+    double horizontal_imbalance_N = 0;       ///< ⟨Σ F_x⟩ − ⟨P_d⟩: 0 for a wheel that does not accelerate
+    double vertical_imbalance_N = 0;         ///< ⟨Σ F_y⟩ − W
+    double drawbar_deviation_N = 0;          ///< standard deviation of P within the window
+    std::map<std::string, double> energy_J;  ///< growth of each column of the series that ends in _J, over the window
 };
 
 /// Throws Error(bad_input) if the run did not travel to the end of the window.
 [[nodiscard]] RunMetrics measure(const Run& run, const Window& window);
+
+/// All NaN: a run that says nothing.
+[[nodiscard]] RunMetrics unknown_metrics();
 
 /// Metrics by name, as claims and tables use them.
 struct MetricInfo {

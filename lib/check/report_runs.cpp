@@ -10,8 +10,6 @@
 namespace ifedem {
 namespace {
 
-constexpr double joule_digits_limit = 1e-3;
-
 std::string number_or_dash(double value, int decimals) {
     if (!std::isfinite(value)) return "–";
     std::string text = fmt::format("{:.{}f}", value, decimals);
@@ -20,12 +18,11 @@ std::string number_or_dash(double value, int decimals) {
 }
 
 /// Names of run.csv, in the order in which they first appear.
-std::vector<std::string> value_names(const Campaign& campaign, const std::string& unit = {}) {
+std::vector<std::string> value_names(const Campaign& campaign) {
     std::vector<std::string> names;
     for (const auto& run : campaign.runs)
         for (const auto& v : run.run.values)
-            if ((unit.empty() || v.unit == unit) && std::find(names.begin(), names.end(), v.name) == names.end())
-                names.push_back(v.name);
+            if (std::find(names.begin(), names.end(), v.name) == names.end()) names.push_back(v.name);
     return names;
 }
 
@@ -79,25 +76,49 @@ Table momentum_table(const Campaign& campaign) {
     return t;
 }
 
-Table energy_table(const Campaign& campaign, const std::vector<std::string>& names) {
+/// What comes in less what is lost less what is stored more than before: 0 if the account closes.
+double energy_residual_J(const std::map<std::string, double>& growth) {
+    double residual = 0;
+    for (const auto& [name, joules] : growth) residual += name.starts_with("work_") ? joules : -joules;
+    return residual;
+}
+
+Table energy_table(const Campaign& campaign) {
     Table t;
-    t.caption = "Energy of the travel stage [J]";
+    t.caption =
+        "Energy over the averaging window [J]: work in, losses, growth of what is stored (motion, springs, strain, "
+        "height "
+        "of soil and load), and what is left over";
     t.style = "wide";
+    const auto& first = campaign.runs.front().metrics.energy_J;
+    std::vector<std::string> names;
+    for (const char* kind : {"work_", "lost_", "stored_"})
+        for (const auto& [name, joules] : first)
+            if (name.starts_with(kind)) names.push_back(name);
     t.header = {"Run"};
     for (const auto& name : names) t.header.push_back(heading_of(name));
+    t.header.insert(t.header.end(), {"left over", "left over / work in [%]"});
     for (const auto& run : campaign.runs) {
+        const auto& growth = run.metrics.energy_J;
         std::vector<Cell> cells{{run.run.name, "id"}};
-        for (const auto& name : names) {
-            const auto value = parse_number(run.run.text(name));
-            const bool tiny = value && std::abs(*value) < joule_digits_limit;
-            cells.push_back({!value ? "–"
-                             : tiny ? fmt::format("{:.1e}", *value)
-                                    : fmt::format("{:.3f}", *value),
-                             "num"});
-        }
+        for (const auto& name : names)
+            cells.push_back({growth.contains(name) ? number_or_dash(growth.at(name), 3) : "–", "num"});
+        const double residual = growth.empty() ? std::nan("") : energy_residual_J(growth);
+        const double work = growth.contains("work_torque_J") ? growth.at("work_torque_J") : std::nan("");
+        cells.push_back({number_or_dash(residual, 3), "num"});
+        cells.push_back({number_or_dash(100 * residual / work, 2), "num"});
         t.rows.push_back(std::move(cells));
     }
     return t;
+}
+
+void add_unusable(Section& section, const Campaign& campaign) {
+    BulletList list{campaign.unusable};
+    for (const auto& run : campaign.runs)
+        if (!run.shortfall.empty()) list.items.push_back(run.shortfall);
+    if (list.items.empty()) return;
+    section.blocks.emplace_back(Paragraph{"Runs that no verdict rests on", "lead not-computable"});
+    section.blocks.emplace_back(std::move(list));
 }
 
 }  // namespace
@@ -164,14 +185,14 @@ Section balances_section(const Campaign& campaign) {
     Section s{"balances", "Momentum and energy", {}};
     if (campaign.runs.empty()) return s;
     s.blocks.emplace_back(momentum_table(campaign));
-    const auto names = value_names(campaign, "J");
-    if (!names.empty()) s.blocks.emplace_back(energy_table(campaign, names));
+    if (!campaign.runs.front().metrics.energy_J.empty()) s.blocks.emplace_back(energy_table(campaign));
     return s;
 }
 
 Section provenance_section(const Campaign& campaign, const std::string& command) {
     Section s{"provenance", "Provenance", {}};
     if (!command.empty()) s.blocks.emplace_back(Paragraph{"This report: " + command, "code"});
+    add_unusable(s, campaign);
     if (campaign.runs.empty()) return s;
     Table t;
     t.caption = "Same command and same results version: same hash, on any machine and with any number of threads.";

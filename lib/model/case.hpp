@@ -64,7 +64,7 @@ struct WheelCase {
     double width_m = 0.1;
     double rim_radius_m = 0.09;
     double tread_radius_m = 0.15;
-    double surface_thickness_m = 0.02;
+    double surface_thickness_m = 0.0198;  ///< gives B3 the text's radial stiffness of 15.9 N/mm (section 3.2.2)
     double lug_height_m = 0.008;
     double lug_thickness_m = 0.006;
     double lug_gap_m = 0.02;  ///< clear gap between the two lugs of a pair

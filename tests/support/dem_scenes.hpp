@@ -137,12 +137,11 @@ inline std::vector<FlatWall> make_box(double side_m) {
     return {{{0, 0}, {0, 1}}, {{0, 0}, {1, 0}}, {{side_m, 0}, {-1, 0}}, {{0, side_m}, {0, -1}}};
 }
 
-/// Fixed discs shoulder to shoulder around [0, side]².
+/// Fixed discs shoulder to shoulder along the floor and the sides of [0, side]², open at the top as the bin is.
 inline std::vector<WallDisc> make_box_of_discs(double side_m, double radius_m) {
     std::vector<WallDisc> walls;
     for (double s = -radius_m; s < side_m + radius_m; s += 2 * radius_m) {
         walls.push_back({{s, -radius_m}, radius_m});
-        walls.push_back({{s, side_m + radius_m}, radius_m});
         walls.push_back({{-radius_m, s + 2 * radius_m}, radius_m});
         walls.push_back({{side_m + radius_m, s + 2 * radius_m}, radius_m});
     }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "check/csv.hpp"
-#include "check/snapshot.hpp"
 #include "core/bitmath.hpp"
 #include "core/random.hpp"
 #include "model/case.hpp"
@@ -51,9 +50,10 @@ inline std::string write_synthetic_run(const std::filesystem::path& parent, cons
     std::string series =
         "time_s,stage,wheel_x_m,sinkage_m,slip,effective_radius_m,vertical_force_N,gross_tractive_effort_N,drawbar_"
         "pull_N,"
-        "net_traction_N,motion_resistance_N,torque_Nm,fx_positive_N,fx_negative_N,commanded_omega_rad_s,hub_speed_m_"
-        "s\n";
-    series += "0,consolidation,0.3,0,0,0.15,0,0,0,0,0,0,0,0,0,0\n1,sinkage,0.3,0,0,0.15,900,0,0,0,0,0,0,0,0,0\n";
+        "net_traction_N,motion_resistance_N,torque_Nm,fx_positive_N,fx_negative_N,commanded_omega_rad_s,hub_speed_m_s,"
+        "work_torque_J,lost_normal_J,lost_tangential_J,stored_J\n";
+    const std::string zeros = ",0,0,0,0,0,0,0,0,0,0,0,0,0,0\n";  // from vertical_force_N on
+    series += "0,consolidation,0.3,0,0,0.15" + zeros + "1,sinkage,0.3,0,0,0.15" + zeros;
     const double omega = 0.1 / (c.wheel.tread_radius_m * (1 - r.slip_percent / 100));
     const auto steps = static_cast<int>(std::lround(r.distance_m / 2e-4));
     for (int k = 0; k <= steps; ++k) {
@@ -66,9 +66,9 @@ inline std::string write_synthetic_run(const std::filesystem::path& parent, cons
         const double effort = torque / r.effective_radius_m;
         series += fmt::format(
             "{:.4f},travel,{:.6f},{:.9g},{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},"
-            "0.1\n",
+            "0.1,{:.9g},{:.9g},{:.9g},{:.9g}\n",
             x / 0.1, 0.3 + x, sinkage, r.slip_percent / 100, r.effective_radius_m, r.load_N, effort, -pull, pull,
-            pull - effort, torque, 0.9 * effort, pull - 0.9 * effort, omega);
+            pull - effort, torque, 0.9 * effort, pull - 0.9 * effort, omega, 10 * x, 2 * x, 7 * x, 44 + 0.9 * x);
     }
     write_text((directory / "series.csv").string(), series);
     write_text(
@@ -76,34 +76,9 @@ inline std::string write_synthetic_run(const std::filesystem::path& parent, cons
         fmt::format(
             "name,value,unit\nstate_hash,{:016x},\nsteps,200000,\nparticles,19468,\ncpu_s,812.4,s\nwall_s,406.2,s\n"
             "ns_per_particle_step,14.2,ns\nthreads,2,\ncompiler,clang 14.0.6,\nversion,0.1.0,\nresults_version,1,\n"
-            "porosity,0.151,\nv_rms_m_s,0.0031,m/s\nwork_torque_J,118.2,J\nlost_normal_J,21.4,J\n"
-            "lost_tangential_J,61.9,J\nlost_rolling_J,33.5,J\nlost_wheel_J,1.2,J\nunaccounted_J,0.0004,J\n",
+            "porosity,0.151,\nv_rms_m_s,0.0031,m/s\n",
             static_cast<std::uint64_t>(r.seed) * 0x9e3779b97f4a7c15ULL));
     return directory.string();
-}
-
-/// A heap of discs with a wheel of quadrilaterals on it: enough for a picture.
-inline Snapshot synthetic_snapshot() {
-    Snapshot s;
-    Random random{7};
-    const Vec2 hub{1.0, 0.36};
-    for (int row = 0; row < 52; ++row)
-        for (int k = 0; k < 300; ++k) {
-            const Vec2 p{0.0025 + 0.005 * k + (row % 2) * 0.0025, 0.0025 + 0.0045 * row};
-            if (norm(p - hub) < 0.156) continue;
-            const double speed = 0.25 * std::exp(-(norm(p - hub) - 0.156) / 0.03) * random.uniform();
-            s.discs.push_back({p, 0.002 + 0.0005 * static_cast<double>(random.below(3)), speed});
-        }
-    for (int ring = 0; ring < 4; ++ring)
-        for (int k = 0; k < 48; ++k) {
-            const double inner = 0.09 + 0.015 * ring;
-            const auto corner = [&](double radius, int step) {
-                return hub + Vec2{radius * std::cos(2 * pi * step / 48), radius * std::sin(2 * pi * step / 48)};
-            };
-            s.elements.push_back(
-                {corner(inner, k), corner(inner + 0.015, k), corner(inner + 0.015, k + 1), corner(inner, k + 1)});
-        }
-    return s;
 }
 
 /// A fresh directory for one test, below the system's place for temporary files.

@@ -111,6 +111,9 @@ TEST_F(Project, MeasuresWhatASyntheticRunWasMadeOf) {
     EXPECT_NEAR(m.horizontal_imbalance_N, 0, 1e-6);
     EXPECT_NEAR(m.vertical_imbalance_N, 0, 1e-9);
     EXPECT_NEAR(m.drawbar_deviation_N, 40 * 0.3 / std::sqrt(2.0), 1e-2);
+    const double length = m.window.to_m - m.window.from_m;
+    EXPECT_NEAR(m.energy_J.at("work_torque_J"), 10 * length, 1e-6);
+    EXPECT_NEAR(m.energy_J.at("stored_J"), 0.9 * length, 1e-6);
 }
 
 TEST_F(Project, UntrimmedWindowsWouldShowTheRipple) {
@@ -122,10 +125,32 @@ TEST_F(Project, UntrimmedWindowsWouldShowTheRipple) {
     EXPECT_GT(std::abs(raw - 90), 1);
 }
 
-TEST_F(Project, ARunThatStoppedEarlyIsRefused) {
-    const auto run = write_synthetic_run(root, {.name = "short", .distance_m = 0.5});
-    const auto text = message_of([&] { static_cast<void>(read_campaign({run})); });
-    EXPECT_NE(text.find("travelled 0.500 m of the 0.80 m"), std::string::npos) << text;
+TEST_F(Project, RunsThatFallShortAreNotJudgedButDoNotStopTheOthers) {
+    auto runs = three_runs(101, 102, 103);
+    // Told to go 0.8 m, stopped at 0.5 m.
+    runs.push_back(write_synthetic_run(root, {.name = "stopped", .slip_percent = 20, .distance_m = 0.5}));
+    // Told to go 0.2 m: measured over the same share of its way, used by no claim.
+    Case brief = synthetic_case({.name = "brief", .slip_percent = 30});
+    brief.travel.distance_m = 0.2;
+    runs.push_back(write_synthetic_run(root, {.name = "brief", .slip_percent = 30, .effort_N = 70, .distance_m = 0.2}));
+    write_text(runs.back() + "/case.toml", to_toml(brief));
+    runs.push_back((root / "nowhere").string());
+    const std::string rows = h_earth +
+                             "D107-b,gross_tractive_effort_N,text,B3,earth,170,20,equal,,U,scatter,match,,\n"
+                             "D107-c,gross_tractive_effort_N,text,B3,earth,170,30,equal,,U,scatter,match,,\n";
+    const auto result = check(rows, runs);
+    EXPECT_EQ(result.outcomes[0].verdict, Verdict::match);
+    EXPECT_EQ(result.outcomes[1].verdict, Verdict::not_computable);
+    EXPECT_NE(result.outcomes[1].detail.find("travelled 0.500 m of the 0.80 m"), std::string::npos);
+    EXPECT_EQ(result.outcomes[2].verdict, Verdict::not_computable);
+    EXPECT_NE(result.outcomes[2].detail.find("brief travelled 0.2 m of the 0.8 m"), std::string::npos);
+    for (const auto& run : result.campaign.runs)
+        if (run.run.name == "brief") {
+            EXPECT_NEAR(run.metrics.window.to_m, 0.2, 1e-9);
+            EXPECT_NEAR(run.metrics.gross_tractive_effort_N, 70, 2);  // the start of this run is still in its window
+        }
+    ASSERT_EQ(result.campaign.unusable.size(), 1U);
+    EXPECT_NE(result.campaign.unusable[0].find("nowhere"), std::string::npos);
 }
 
 TEST_F(Project, MatchNeedsASmallErrorAndASmallUncertainty) {

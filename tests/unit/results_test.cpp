@@ -19,6 +19,9 @@
 #include "record/snapshot.hpp"
 #include "support/scratch.hpp"
 
+/// HDF5 1.10 keeps the memory of a file that it cannot close because the disk is full.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }  // NOLINT: the sanitizer's name
+
 namespace ifedem {
 namespace {
 

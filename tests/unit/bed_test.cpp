@@ -1,0 +1,134 @@
+// The unsettled bed and the measures taken of beds, against geometry.
+#include "dem/bed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "support/dem_scenes.hpp"
+
+namespace ifedem {
+namespace {
+
+using namespace scene;
+
+Case make_case(std::int64_t count, double length_m, std::int64_t seed) {
+    Case c;
+    c.bed.disc_count = count;
+    c.bed.length_m = length_m;
+    c.bed.seed = seed;
+    return c;
+}
+
+DiscState make_discs(const std::vector<Disc>& discs) { return make_state(discs).discs; }
+
+TEST(GenerateBed, has_the_shares_and_masses_of_the_case) {
+    for (const std::int64_t count : {1, 6, 7, 1000, 19468}) {
+        const Case c = make_case(count, 1.5, 3);
+        const DiscState bed = generate_bed(c);
+        ASSERT_EQ(bed.disc.size(), static_cast<std::size_t>(count));
+        ASSERT_EQ(bed.id.size(), bed.disc.size());
+        for (std::size_t k = 0; k < 3; ++k) {  // 3 : 2 : 1 by number, exact to one disc
+            const auto found = std::count_if(bed.disc.begin(), bed.disc.end(),
+                                             [&](const Disc& d) { return d.radius_m == c.soil.radii_m[k]; });
+            EXPECT_NEAR(static_cast<double>(found), static_cast<double>(count) * c.soil.radii_shares[k] / 6, 1.0);
+        }
+        for (std::size_t n = 0; n < bed.disc.size(); ++n) {
+            EXPECT_EQ(bed.id[n], n);
+            const double r = bed.disc[n].radius_m;
+            EXPECT_NEAR(mass_of(bed.disc[n]), 2600 * 0.1 * pi * r * r, 1e-15);
+        }
+    }
+}
+
+TEST(GenerateBed, fits_into_the_bin_with_hardly_an_overlap) {
+    for (const double length : {0.05, 0.3, 1.5}) {
+        const DiscState bed = generate_bed(make_case(1200, length, 5));
+        double deepest = 0, highest = 0;
+        for (std::size_t a = 0; a < bed.disc.size(); ++a) {
+            const Disc& d = bed.disc[a];
+            EXPECT_GE(d.x_m - d.radius_m, -1e-12);
+            EXPECT_LE(d.x_m + d.radius_m, length + 1e-12);
+            EXPECT_GE(d.y_m - d.radius_m, -1e-12);
+            highest = std::max(highest, d.y_m);
+            for (std::size_t b = a + 1; b < bed.disc.size(); ++b)
+                deepest =
+                    std::max(deepest, d.radius_m + bed.disc[b].radius_m - norm(centre_of(d) - centre_of(bed.disc[b])));
+        }
+        std::printf("bin of %.2f m: deepest overlap %.4f of the largest radius, top at %.3f m\n", length,
+                    deepest / 0.003, highest);
+        // Shifts of ±5 % of r in both directions may beat the gap of 10 % of r along the diagonal by 0.05 (2√2 − 2) r.
+        EXPECT_LT(deepest, 0.042 * 0.003);
+    }
+}
+
+TEST(GenerateBed, follows_its_seed) {
+    const DiscState a = generate_bed(make_case(500, 0.4, 1)), again = generate_bed(make_case(500, 0.4, 1)),
+                    other = generate_bed(make_case(500, 0.4, 2));
+    std::size_t same_radius = 0;
+    for (std::size_t n = 0; n < 500; ++n) {
+        EXPECT_EQ(a.disc[n].x_m, again.disc[n].x_m);
+        EXPECT_EQ(a.disc[n].y_m, again.disc[n].y_m);
+        EXPECT_EQ(a.disc[n].radius_m, again.disc[n].radius_m);
+        EXPECT_NE(a.disc[n].x_m, other.disc[n].x_m);
+        if (a.disc[n].radius_m == other.disc[n].radius_m) ++same_radius;
+    }
+    EXPECT_LT(same_radius, 260U);  // 1/4 + 1/9 + 1/36 = 39 % by chance, four standard deviations are 9 %
+}
+
+TEST(GenerateBed, carries_accelerations_only_for_modified_euler) {
+    Case c = make_case(10, 0.4, 1);
+    EXPECT_TRUE(generate_bed(c).acceleration.empty());
+    c.integrator = Integrator::modified_euler_two;
+    EXPECT_EQ(generate_bed(c).acceleration.size(), 10U);
+}
+
+// Discs as slices of 1/40 of their height: an area is right to about 1 %, half-slices at an edge included.
+constexpr double slice_tolerance = 0.01;
+
+TEST(Porosity, of_one_disc_inside_and_cut_by_each_edge) {
+    const double r = 0.1, area = pi * r * r;
+    const auto solid = [&](Vec2 at) {  // area inside the window [0.2, 0.8] × [0.1, 0.9]
+        return (1 - measure_porosity(make_discs({make_disc(at, r, 1)}), 1.0, 0.2, 0.1, 0.9)) * 0.6 * 0.8;
+    };
+    EXPECT_NEAR(solid({0.5, 0.5}), area, slice_tolerance * area);
+    for (const Vec2 edge : {Vec2{0.2, 0.5}, Vec2{0.8, 0.5}, Vec2{0.5, 0.1}, Vec2{0.5, 0.9}})
+        EXPECT_NEAR(solid(edge), area / 2, slice_tolerance * area);
+    for (const Vec2 corner : {Vec2{0.2, 0.1}, Vec2{0.8, 0.9}})
+        EXPECT_NEAR(solid(corner), area / 4, slice_tolerance * area);
+    EXPECT_EQ(solid({0.05, 0.5}), 0.0);
+    EXPECT_EQ(solid({0.5, 1.05}), 0.0);
+}
+
+TEST(Porosity, of_close_packing) {
+    const double r = 0.0025, row = std::sqrt(3.0) * r;
+    std::vector<Disc> discs;
+    for (int j = 0; j < 60; ++j)
+        for (int i = 0; i < 100; ++i) discs.push_back(make_disc({(2 * i + j % 2) * r, j * row}, r, 1));
+    // A window of whole periods: 80 columns, 40 rows.
+    const double porosity = measure_porosity(make_discs(discs), 180 * r, 10 * r, 10 * row, 50 * row);
+    std::printf("hexagonal packing: porosity %.5f (closed 1 - pi/sqrt(12) = %.5f)\n", porosity,
+                1 - pi / std::sqrt(12.0));
+    // Forty mid-point slices make a disc 0.12 % too large.
+    EXPECT_NEAR(porosity, 1 - pi / std::sqrt(12.0), 1.3e-3);
+}
+
+TEST(Surface, is_the_mean_of_the_highest_tops_by_column) {
+    // Columns of 4 × 3 mm = 12 mm in a bin of 48 mm: tops at 13, 23, 33 and none.
+    const double r = 0.003;
+    const DiscState discs = make_discs({make_disc({0.006, 0.010}, r, 1), make_disc({0.006, 0.004}, r, 1),
+                                        make_disc({0.018, 0.020}, r, 1), make_disc({0.030, 0.030}, r, 1)});
+    EXPECT_NEAR(measure_surface_m(discs, 0.048, r), (0.013 + 0.023 + 0.033) / 4, 1e-15);
+}
+
+TEST(Speed, is_the_root_mean_square) {
+    EXPECT_EQ(rms_speed_m_s(DiscState{}), 0);
+    const DiscState discs = make_discs(
+        {make_disc({}, 1, 1, {3, 4}), make_disc({}, 1, 1), make_disc({}, 1, 1, {0, -1}), make_disc({}, 1, 1, {1, 1})});
+    EXPECT_NEAR(rms_speed_m_s(discs), std::sqrt((25 + 0 + 1 + 2) / 4.0), 1e-15);
+}
+
+}  // namespace
+}  // namespace ifedem
