@@ -11,7 +11,8 @@ SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 export JOBS IFEDEM
 
-.PHONY: help setup build test test-determinism reproduce-chapter3 quick-chapter3 check sanitize sanitize-unit clean
+.PHONY: help setup build test test-determinism reproduce-chapter3 causes-chapter3 quick-chapter3 check \
+        sanitize sanitize-unit clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -44,6 +45,9 @@ sanitize sanitize-unit: $(BUILD)/.packages ## tests (all, or the unit tests) und
 
 reproduce-chapter3: build ## simulate, check and report chapter 3
 	@$(MAKE) --no-print-directory -f reproductions/chapter3/chapter.mk reproduce
+
+causes-chapter3: build ## the runs behind "Causes" in chapter 3's README
+	@$(MAKE) --no-print-directory -j$(JOBS) -f reproductions/chapter3/causes.mk causes
 
 quick-chapter3: build ## the same machinery on two short runs, under two minutes
 	@$(MAKE) --no-print-directory -f reproductions/chapter3/chapter.mk quick

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "app/metrics_table.hpp"
 #include "app/run_case.hpp"
 #include "app/run_info.hpp"
 #include "app/stiffness.hpp"
@@ -77,6 +78,10 @@ void add_check_and_report(CLI::App& app, CheckArguments& a, int& code) {
     check->add_option("runs", a.runs, "run directories")->required();
     check->add_option("-o,--output", a.output, "checks.csv")->required();
     check->callback([&] { code = run_check(a.claims, a.runs, a.output); });
+    auto* metrics = app.add_subcommand("metrics", "window means of runs, a line each");
+    metrics->add_option("runs", a.runs, "run directories")->required();
+    metrics->add_option("-o,--output", a.output, "metrics.csv")->required();
+    metrics->callback([&] { write_metrics(a.runs, a.output); });
     auto* report = app.add_subcommand("report", "write a chapter's report");
     report->add_option("claims", a.report.claims_path, "claims.csv")->required();
     report->add_option("runs", a.report.run_dirs, "run directories")->required();

@@ -11,9 +11,25 @@
 
 namespace ifedem {
 
+/// The compiler's vector of W doubles. Spelt out because g++ ignores a vector size that depends on a template parameter.
+template <int W>
+struct RawVector;
+template <>
+struct RawVector<2> {
+    typedef double Type __attribute__((vector_size(16)));
+};
+template <>
+struct RawVector<4> {
+    typedef double Type __attribute__((vector_size(32)));
+};
+template <>
+struct RawVector<8> {
+    typedef double Type __attribute__((vector_size(64)));
+};
+
 template <int W>
 struct Pack {
-    using Raw [[gnu::vector_size(8 * W)]] = double;
+    using Raw = typename RawVector<W>::Type;
     Raw v;
     Pack() = default;
     IFEDEM_INLINE Pack(double a) : v(Raw{} + a) {}  // implicit on purpose: constants mix with packs as with doubles
@@ -40,8 +56,8 @@ struct Pack {
             return {FromRaw{}, static_cast<Raw>(_mm256_sqrt_pd(a.v))};
 #endif
         } else if constexpr (W == 8) {
-#if defined(__AVX512F__)
-            return {FromRaw{}, static_cast<Raw>(_mm512_sqrt_pd(a.v))};
+#if defined(__AVX512F__)  // masked: the plain one warns of its own undefined operand in g++ 12
+            return {FromRaw{}, static_cast<Raw>(_mm512_maskz_sqrt_pd(0xff, a.v))};
 #endif
         }
         Pack r;

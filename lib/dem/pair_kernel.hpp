@@ -70,7 +70,7 @@ IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, s
     on_j.x_N += f.x, on_j.y_N += f.y, on_j.moment_Nm += f.moment_j, on_j.rolling_limit_Nm += f.rolling;
 }
 
-using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+using Four = RawVector<4>::Type;
 
 /// W discs' records, transposed: one load a record (or half of one) and shuffles instead of gathers.
 template <int W>
@@ -148,9 +148,9 @@ IFEDEM_INLINE void transpose_four(const Four in[4], Four out[4]) {
 
 IFEDEM_INLINE void add_record(DiscForce& to, Four f) {
     Four old;
-    __builtin_memcpy(&old, &to, 32);
+    __builtin_memcpy(&old, &to.x_N, 32);
     old += f;
-    __builtin_memcpy(&to, &old, 32);
+    __builtin_memcpy(&to.x_N, &old, 32);
 }
 
 /// Sums pair by pair, i before j: the order of the scalar loop, hence its bits.

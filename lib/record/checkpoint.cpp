@@ -138,7 +138,8 @@ std::string units_of(std::string_view member) {
     std::string units;
     for (std::string_view rest = fields_of<T>; !rest.empty();) {
         const std::string_view field = rest.substr(0, rest.find(','));
-        units += (units.empty() ? "" : ",") + unit_of(field);
+        if (!units.empty()) units += ',';
+        units += unit_of(field);
         rest.remove_prefix(std::min(rest.size(), field.size() + 1));
     }
     return units;
