@@ -1,6 +1,8 @@
 # The front door: every target sets up what it needs (packages by apt, program by CMake) and then does its work.
 # `make help` lists them. JOBS=n limits the cores; a sweep uses one core a case, since cases are independent.
 
+# compiler:level pairs of test-determinism
+MATRIX    ?= clang++:O0 clang++:O3 g++:O0 g++:O3
 JOBS      ?= $(shell nproc)
 BUILD     := build
 CXX_FAST  := clang++
@@ -36,11 +38,11 @@ test: build ## unit, verification, stability, determinism and reliability tests
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
-	@tests/determinism/run_matrix.sh
+	@tests/determinism/run_matrix.sh $(MATRIX)
 
 sanitize sanitize-unit: $(BUILD)/.packages ## tests (all, or the unit tests) under AddressSanitizer and UndefinedBehaviorSanitizer
 	@cmake -S . -B $(BUILD)-sanitize -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_SANITIZE=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null
-	@cmake --build $(BUILD)-sanitize -j $(JOBS)
+	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target $(if $(filter sanitize-unit,$@),tests_unit,all)
 	@ctest --test-dir $(BUILD)-sanitize --output-on-failure -j $(JOBS) $(if $(filter sanitize-unit,$@),-L unit)
 
 reproduce-chapter3: build ## simulate, check and report chapter 3
