@@ -104,23 +104,26 @@ double apply_rolling(RollingScheme rolling, double omega_free_rad_s, double omeg
 }
 
 void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work) {
-    const auto count = static_cast<std::int64_t>(state.discs.disc.size());
-    const double dt = k.step_s;
+    const auto blocks = static_cast<std::int64_t>(work.block.size());
+    const double dt = k.step_s, fall = dt * k.gravity_m_s2;
+    const RollingScheme rolling = k.rolling;
 #pragma omp parallel for schedule(static)
-    for (std::int64_t n = 0; n < count; ++n) {
-        const auto p = static_cast<std::size_t>(n);
-        Disc& d = state.discs.disc[p];
-        const DiscForce& f = work.force[work.force_slot[p]];
-        const double impulse = dt * d.inverse_mass_1_kg;
-        d.vx_m_s += impulse * f.x_N;
-        d.vy_m_s += impulse * f.y_N - dt * k.gravity_m_s2;
-        // I = m r²/2
-        const double spin = 2.0 * impulse / (d.radius_m * d.radius_m);
-        d.omega_rad_s = apply_rolling(k.rolling, d.omega_rad_s + spin * f.moment_Nm, d.omega_rad_s,
-                                      spin * f.rolling_limit_Nm);
-        d.x_m += dt * d.vx_m_s;
-        d.y_m += dt * d.vy_m_s;
-        d.angle_rad += dt * d.omega_rad_s;
+    for (std::int64_t n = 0; n < blocks; ++n) {
+        const Block& block = work.block[static_cast<std::size_t>(n)];
+        const DiscForce* force = work.force.data() + block.force_begin;  // a block's own slots come first, in disc order
+        Disc* disc = state.discs.disc.data();
+        const double* spin_per_moment = work.spin_per_moment.data();
+        for (std::uint32_t p = block.disc_begin; p < block.disc_end; ++p, ++force) {
+            Disc& d = disc[p];
+            const double impulse = dt * d.inverse_mass_1_kg, spin = spin_per_moment[p];
+            d.vx_m_s += impulse * force->x_N;
+            d.vy_m_s += impulse * force->y_N - fall;
+            d.omega_rad_s = apply_rolling(rolling, d.omega_rad_s + spin * force->moment_Nm, d.omega_rad_s,
+                                          spin * force->rolling_limit_Nm);
+            d.x_m += dt * d.vx_m_s;
+            d.y_m += dt * d.vy_m_s;
+            d.angle_rad += dt * d.omega_rad_s;
+        }
     }
 }
 

@@ -286,7 +286,14 @@ void lay_out_blocks(const State& state, DemWorkspace& work) {
     }
 }
 
+void note_inertias(const DemConstants& k, const State& state, DemWorkspace& work) {
+    work.spin_per_moment.clear();
+    for (const Disc& d : state.discs.disc)
+        work.spin_per_moment.push_back(2.0 * (k.step_s * d.inverse_mass_1_kg) / (d.radius_m * d.radius_m));
+}
+
 void unpack(const DemConstants& k, const State& state, DemWorkspace& work) {
+    note_inertias(k, state, work);
     unpack_pairs(k, state, work);
     unpack_walls(state, work);
     lay_out_blocks(state, work);

@@ -139,7 +139,9 @@ TEST(ClosedLoop, converges_to_the_exact_response) {
                         error[1], error[2], order, extrapolated);
                     EXPECT_LT(std::fabs(error[2]), 2e-4);
                     EXPECT_LT(std::fabs(extrapolated), 1e-6);
-                    if (std::fabs(error[2]) > 1e-9) EXPECT_NEAR(order, 1, 0.1);
+                    if (std::fabs(error[2]) > 1e-9) {
+                        EXPECT_NEAR(order, 1, 0.1);
+                    }
                 }
             }
         }

@@ -124,7 +124,9 @@ TEST_P(Restitution, converges_to_the_closed_form) {
         EXPECT_NEAR(e / exact.restitution, 1, 1e-3) << "zeta " << zeta;
         EXPECT_NEAR(t / exact.duration_omega, 1, 1e-3) << "zeta " << zeta;
         // Where the dashpot's pull jumps to nothing at the end too, one step more or less hides the order.
-        if (!pulls) EXPECT_NEAR(order, symplectic ? 1 : 2, 0.25) << "zeta " << zeta;
+        if (!pulls) {
+            EXPECT_NEAR(order, symplectic ? 1 : 2, 0.25) << "zeta " << zeta;
+        }
         // The worst entry is of first order whatever the scheme: the dashpot's force jumps where the contact begins.
         EXPECT_LT(m[2].worst_error, 0.6 * m[0].worst_error) << "zeta " << zeta;
     }
@@ -212,10 +214,16 @@ TEST(ChungOoi, case_7_equal_spins_stay_equal) {
         EXPECT_NEAR(norm(velocity_of(a) + velocity_of(b)), 0, 1e-15);
         const double e = -dot(n, velocity_of(a)) / 0.2,
                      slid = 0.4 * (1 + e) * 0.2;  // friction impulse / m if it slides on
-        if (omega == 0) EXPECT_NEAR(vt, 0, 1e-15);
+        if (omega == 0) {
+            EXPECT_NEAR(vt, 0, 1e-15);
+        }
         // a's side facing b moves to +t, so friction pushes a to −t.
-        if (omega >= 500) EXPECT_NEAR(vt, -slid, 0.02 * slid);  // the normal turns while they slide
-        if (omega >= 500) EXPECT_NEAR(omega - a.omega_rad_s, 2 * slid / 0.0025, 0.02 * 2 * slid / 0.0025);
+        if (omega >= 500) {  // the normal turns while they slide
+            EXPECT_NEAR(vt, -slid, 0.02 * slid);
+        }
+        if (omega >= 500) {
+            EXPECT_NEAR(omega - a.omega_rad_s, 2 * slid / 0.0025, 0.02 * 2 * slid / 0.0025);
+        }
     }
 }
 
