@@ -50,11 +50,16 @@ DiscState generate_bed(const Case& c) {
 }
 
 double measure_porosity(const DiscState& discs, double length_m, double margin_m, double bottom_m, double top_m) {
-    // Area by strips: each disc is cut into horizontal slices and each slice clipped to the rectangle.
-    constexpr int slices = 40;
+    // A disc inside counts whole; one that the rectangle cuts, by horizontal slices.
+    constexpr int slices = 400;
     const double left = margin_m, right = length_m - margin_m;
     double area = 0;
     for (const Disc& d : discs.disc) {
+        const double r = d.radius_m;
+        if (d.x_m - r >= left && d.x_m + r <= right && d.y_m - r >= bottom_m && d.y_m + r <= top_m) {
+            area += pi * r * r;
+            continue;
+        }
         for (int s = 0; s < slices; ++s) {
             const double y = d.radius_m * ((s + 0.5) * 2.0 / slices - 1.0);
             if (d.y_m + y < bottom_m || d.y_m + y > top_m) continue;
