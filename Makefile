@@ -18,7 +18,7 @@ export JOBS IFEDEM
 .DEFAULT_GOAL := help
 
 help: ## list the targets
-	@sed -n 's/^\([a-zA-Z0-9%_-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | column -t -s "$$(printf '\t')"
+	@awk -F ':.*## ' '/^[a-z][a-z0-9 -]*:.*## / { printf "%-22s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 setup: $(BUILD)/.packages ## install Debian packages that are missing
 

@@ -22,7 +22,7 @@ seed = --set bed.seed=$(patsubst r%,%,$(lastword $(subst -, ,$(1)))) \
 
 sets-damping = $(call damp,$(patsubst damping%,%,$(word 1,$(subst -, ,$(1))))) \
                --set travel.speed_m_s=$(patsubst speed%,%,$(word 2,$(subst -, ,$(1))))
-sets-rim = $(call seed,$(1)) --set time_step_s=1e-5 --set wheel.body=$(if $(findstring elastic,$(1)),elastic,rigid-rim)
+sets-rim = $(call seed,$(1)) --set time_step_s=1.5e-5 --set wheel.body=$(if $(findstring elastic,$(1)),elastic,rigid-rim)
 sets-wheel = $(call seed,$(1)) --set wheel.body=$(if $(findstring rim,$(1)),rigid-rim,rigid)
 sets-absolute = $(call seed,$(1)) --set wheel.damping_frame=absolute
 sets-half = $(call seed,$(1)) --set contact.rolling_chord=half
@@ -31,7 +31,7 @@ sets-half = $(call seed,$(1)) --set contact.rolling_chord=half
 causes: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))
 	@mkdir -p build/reports/chapter3
 	@$(IFEDEM) metrics $(addprefix $(OUT)/,$(RUNS)) -o build/reports/chapter3/causes.csv
-	@column -s, -t build/reports/chapter3/causes.csv
+	@echo "table: build/reports/chapter3/causes.csv"
 
 define run_rule
 $(OUT)/$(1)/run.csv: $(CASE)
