@@ -1,11 +1,11 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <map>
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "app/metrics_table.hpp"
 #include "app/run_case.hpp"
@@ -35,8 +35,10 @@ void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets,
     run->add_option("--set", sets, "override a key: table.key=value")->take_all();
     run->add_option("--threads", request.threads, "threads for one case")->check(CLI::Range(1, 256));
     run->add_option("--stages", request.stage_cache, "cache of finished stages");
-    run->add_flag_callback("--force", [&] { request.existing = Existing::replace; }, "replace an existing directory");
-    run->add_flag_callback("--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    run->add_flag_callback(
+        "--force", [&] { request.existing = Existing::replace; }, "replace an existing directory");
+    run->add_flag_callback(
+        "--quiet", [&] { request.show = Show::nothing; }, "no progress");
     run->add_flag("--profile", request.profile, "print the share of each phase");
     run->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
@@ -50,7 +52,8 @@ void add_stage(CLI::App& app, RunRequest& request, std::vector<std::string>& set
     stage->add_option("--set", sets, "override a key: table.key=value")->take_all();
     stage->add_option("--threads", request.threads, "threads")->check(CLI::Range(1, 256));
     stage->add_option("--stages", request.stage_cache, "cache of finished stages");
-    stage->add_flag_callback("--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    stage->add_flag_callback(
+        "--quiet", [&] { request.show = Show::nothing; }, "no progress");
     stage->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
         request.last_stage = Stage::sinkage;
@@ -63,7 +66,8 @@ void add_resume(CLI::App& app, RunRequest& request, int& code) {
     resume->add_option("directory", request.directory, "run directory")->required();
     resume->add_option("--threads", request.threads, "threads")->check(CLI::Range(1, 256));
     resume->add_option("--stages", request.stage_cache, "cache of finished stages");
-    resume->add_flag_callback("--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    resume->add_flag_callback(
+        "--quiet", [&] { request.show = Show::nothing; }, "no progress");
     resume->callback([&] { code = resume_case(request); });
 }
 

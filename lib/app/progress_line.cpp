@@ -1,10 +1,9 @@
 #include "app/progress_line.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
-
-#include <fmt/format.h>
 
 namespace ifedem {
 
@@ -16,8 +15,12 @@ std::string to_duration(double seconds) {
 }
 
 ProgressLine::ProgressLine(std::string label, std::uint64_t total_steps, bool quiet)
-    : label_(std::move(label)), total_(total_steps), quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1),
-      begin_(Clock::now()), next_(begin_) {}
+    : label_(std::move(label)),
+      total_(total_steps),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      begin_(Clock::now()),
+      next_(begin_) {}
 
 ProgressLine::~ProgressLine() {
     if (written_ && terminal_) std::fputc('\n', stderr);

@@ -1,5 +1,6 @@
 #include "app/run_case.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <chrono>
@@ -10,8 +11,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-
-#include <fmt/format.h>
 
 #include "app/progress_line.hpp"
 #include "app/run_info.hpp"
@@ -65,8 +64,7 @@ SeriesRow take_series_row(const Scene& scene, State& state, const Workspace& wor
     row.motion_resistance_N = row.net_traction_N - row.gross_tractive_effort_N;
     row.fx_positive_N = s.fx_positive_N / n;
     row.fx_negative_N = s.fx_negative_N / n;
-    row.commanded_omega_rad_s =
-        travel_target(scene.c.travel, scene.c.wheel, row.time_s).omega_clockwise_rad_s;
+    row.commanded_omega_rad_s = travel_target(scene.c.travel, scene.c.wheel, row.time_s).omega_clockwise_rad_s;
     row.ledger = state.energy;
     row.stored_J = measure_energy(scene, state, work).sum_J();
     return row;
@@ -147,7 +145,8 @@ bool run_stage(LiveRun& run, Stage stage) {
             if (run.violation) return false;
             if (run.progress) run.progress->show(run.steps_made, progress_note(state));
         }
-        if (recorded && (is_due(at, series) || at == last)) run.recorder->add_series(take_series_row(scene, state, work));
+        if (recorded && (is_due(at, series) || at == last))
+            run.recorder->add_series(take_series_row(scene, state, work));
         if (recorded && (is_due(at, frame) || at == last)) run.recorder->add_frame(take_frame(scene, state, work));
         if (is_due(at, checkpoint) && at != last) write_run_checkpoint(run);
         if (signal_seen != 0) {
@@ -238,8 +237,7 @@ int go_through_stages(LiveRun& run, Stage first) {
     std::signal(SIGTERM, note_signal);
     std::signal(SIGINT, note_signal);
     const std::string label = fs::path(run.request.directory.empty() ? run.c.name : run.request.directory).filename();
-    run.progress =
-        std::make_unique<ProgressLine>(label, remaining_total(run), run.request.show == Show::nothing);
+    run.progress = std::make_unique<ProgressLine>(label, remaining_total(run), run.request.show == Show::nothing);
     for (const Stage stage : {Stage::consolidation, Stage::sinkage, Stage::travel}) {
         if (stage < first || stage > run.request.last_stage) continue;
         if (run_stage(run, stage)) {
@@ -269,13 +267,13 @@ int run_case(const RunRequest& request) {
     const std::string& dir = request.directory;
     if (!dir.empty() && fs::exists(dir) && !(fs::is_directory(dir) && fs::is_empty(dir))) {
         if (request.existing == Existing::refuse)
-            fail_input(fmt::format("{} exists already (a run would overwrite it). Choose another -o, or add --force.", dir));
+            fail_input(
+                fmt::format("{} exists already (a run would overwrite it). Choose another -o, or add --force.", dir));
         fs::remove_all(dir);
     }
     Stage first = Stage::consolidation;
     run.state = find_beginning(run, first);
-    if (!dir.empty())
-        run.recorder = std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel));
+    if (!dir.empty()) run.recorder = std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel));
     run.state.progress.stage = first;
     run.state.progress.step = 0;
     return go_through_stages(run, first);
@@ -303,12 +301,13 @@ int resume_case(const RunRequest& request) {
     }
     Checkpoint checkpoint = read_checkpoint(checkpoint_path(run));
     if (checkpoint.results_version != results_version)
-        fail_input(fmt::format("{} was written by results version {} (this program has {}; it would not give the same bits). "
-                               "Run the case anew.", checkpoint_path(run), checkpoint.results_version, results_version));
+        fail_input(
+            fmt::format("{} was written by results version {} (this program has {}; it would not give the same bits). "
+                        "Run the case anew.",
+                        checkpoint_path(run), checkpoint.results_version, results_version));
     run.c = checkpoint.c;
     run.state = std::move(checkpoint.state);
-    run.recorder =
-        std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel), run.state.progress);
+    run.recorder = std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel), run.state.progress);
     return go_through_stages(run, run.state.progress.stage);
 }
 

@@ -8,7 +8,7 @@
 
 namespace ifedem {
 
-enum class Existing { refuse, replace };   ///< what `run` does with a directory that is already there
+enum class Existing { refuse, replace };  ///< what `run` does with a directory that is already there
 enum class Show { progress, nothing };
 
 struct RunRequest {
@@ -23,8 +23,8 @@ struct RunRequest {
     bool profile = false;
 };
 
-/// Simulates a case: stages found in the cache are taken from there, the travel is recorded in the directory. Returns what the
-/// program returns.
+/// Simulates a case: stages found in the cache are taken from there, the travel is recorded in the directory. Returns
+/// what the program returns.
 [[nodiscard]] int run_case(const RunRequest& request);
 
 /// Goes on from the directory's last checkpoint (from the beginning if it was stopped before the first).

@@ -1,12 +1,12 @@
 #include "app/run_info.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <fstream>
 
-#include <fmt/format.h>
-
+#include "core/bitmath.hpp"
 #include "dem/bed.hpp"
 #include "record/checkpoint.hpp"
 
@@ -33,6 +33,9 @@ std::vector<RunValue> describe_stage(const Case& c, const State& state, Stage st
         {"surface_m", number(surface), "m"},
         {"porosity", number(measure_porosity(state.discs, c.bed.length_m, margin, margin, surface - margin)), ""},
     };
+    double area = 0;
+    for (const Disc& d : state.discs.disc) area += pi * d.radius_m * d.radius_m;
+    values.push_back({"porosity_whole", number(1 - area / (c.bed.length_m * surface)), ""});
     if (stage == Stage::sinkage)
         values.push_back({"sinkage_m", number(state.wheel.rim.position_m.y - state.touch_position_m.y), "m"});
     return values;

@@ -1,8 +1,8 @@
 #include "app/stiffness.hpp"
 
-#include <filesystem>
-
 #include <fmt/format.h>
+
+#include <filesystem>
 
 #include "check/run.hpp"
 #include "fem/radial_stiffness.hpp"

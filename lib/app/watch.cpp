@@ -1,5 +1,6 @@
 #include "app/watch.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -7,8 +8,6 @@
 #include <fstream>
 #include <map>
 #include <thread>
-
-#include <fmt/format.h>
 
 #include "app/progress_line.hpp"
 #include "model/case.hpp"
@@ -53,7 +52,8 @@ void watch_runs(const WatchRequest& request) {
         if (first < 0) first = sum;
         const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         const auto all = static_cast<double>(request.directories.size());
-        const std::string left = sum > first ? to_duration(elapsed * (all - sum) / (sum - first)) + " left" : "preparing beds";
+        const std::string left =
+            sum > first ? to_duration(elapsed * (all - sum) / (sum - first)) + " left" : "preparing beds";
         fmt::print(stderr, "{} of {} runs done, {:.0f} % of the travel, {}\n", complete, request.directories.size(),
                    100 * sum / all, left);
         if (complete == request.directories.size()) return;

@@ -1,8 +1,9 @@
 #pragma once
 
-// A thin layer over the compilers' vector extensions: W doubles that behave like one. Only element-wise IEEE operations, so the
-// bits do not depend on W. Included by translation units built for different instruction sets: everything is inlined
-// by force, since a shared out-of-line copy could be taken from the unit with the newest instructions.
+// A thin layer over the compilers' vector extensions: W doubles that behave like one. Only element-wise IEEE
+// operations, so the bits do not depend on W. Included by translation units built for different instruction sets:
+// everything is inlined by force, since a shared out-of-line copy could be taken from the unit with the newest
+// instructions.
 #define IFEDEM_INLINE [[gnu::always_inline]] inline
 
 #if defined(__x86_64__)
@@ -11,7 +12,8 @@
 
 namespace ifedem {
 
-/// The compiler's vector of W doubles. Spelt out because g++ ignores a vector size that depends on a template parameter.
+/// The compiler's vector of W doubles. Spelt out because g++ ignores a vector size that depends on a template
+/// parameter.
 template <int W>
 struct RawVector;
 template <>

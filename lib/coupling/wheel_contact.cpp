@@ -29,7 +29,7 @@ struct Touch {
     std::uint32_t segment = 0;
     double share = 0;  ///< along the segment; 0 at the corner it starts from
     double distance_m = 0;
-    Vec2 outward;      ///< unit, from the wheel to the disc
+    Vec2 outward;  ///< unit, from the wheel to the disc
 };
 
 bool find_touch(const std::vector<Segment>& segments, std::uint32_t k, const Disc& d, Touch& touch) {
@@ -79,8 +79,8 @@ double inherited_spring(const std::vector<BoundaryContact>& old, std::size_t fir
         if (old[n].surface == segment) return old[n].tangential_m;
     for (std::size_t n = first; n < last; ++n) {
         if (!are_neighbours(old[n].surface, segment, count)) continue;
-        const bool still_there = std::any_of(touches.begin(), touches.end(),
-                                             [&](const Touch& t) { return t.segment == old[n].surface; });
+        const bool still_there =
+            std::any_of(touches.begin(), touches.end(), [&](const Touch& t) { return t.segment == old[n].surface; });
         if (!still_there) return old[n].tangential_m;
     }
     return 0.0;
@@ -115,7 +115,8 @@ void search_candidates(const DemConstants& k, const WheelModel& model, const Sta
     work.search = false;
 }
 
-/// Boundary nodes may move half the skin, discs the other half: they move at most half an inner skin a refresh interval.
+/// Boundary nodes may move half the skin, discs the other half: they move at most half an inner skin a refresh
+/// interval.
 bool must_search(const WheelModel& model, const State& state, const DemWorkspace& dem, const WheelWorkspace& work) {
     if (work.search || work.searched_m.size() != model.mesh.boundary.size()) return true;
     if (dem.rebuilds != work.rebuilds_at_search) return true;  // list positions have changed hands
@@ -135,8 +136,7 @@ void apply_touch(const DemConstants& k, const WheelModel& model, const WheelStat
     const auto& loop = model.mesh.boundary;
     const std::uint32_t a = loop[touch.segment];
     const std::uint32_t b = loop[touch.segment + 1 == loop.size() ? 0 : touch.segment + 1];
-    const Vec2 surface_velocity =
-        (1.0 - touch.share) * wheel.velocity_m_s[a] + touch.share * wheel.velocity_m_s[b];
+    const Vec2 surface_velocity = (1.0 - touch.share) * wheel.velocity_m_s[a] + touch.share * wheel.velocity_m_s[b];
     const BoundaryForce f = boundary_force(k.wheel, k.damping_ratio, d, Vec2{0, 0} - touch.outward, touch.distance_m,
                                            0.0, surface_velocity, spring, spring_step_s);
     DiscForce& to = dem.force[dem.force_slot[position]];

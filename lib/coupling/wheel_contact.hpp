@@ -24,12 +24,12 @@ struct Segment {
 
 /// One contact of a step: on which disc and where on the wheel, with what it needs for stress and energy.
 struct WheelContact {
-    std::uint32_t position = 0;        ///< list position of the disc
-    std::uint32_t from = 0, to = 0;    ///< nodes of the segment
-    double share = 0;                  ///< along it
-    Vec2 outward;                      ///< normal of the surface there, towards the disc
+    std::uint32_t position = 0;      ///< list position of the disc
+    std::uint32_t from = 0, to = 0;  ///< nodes of the segment
+    double share = 0;                ///< along it
+    Vec2 outward;                    ///< normal of the surface there, towards the disc
     double old_spring_m = 0;
-    BoundaryForce on_disc;             ///< the wheel takes the opposite force at the disc's foot on the segment
+    BoundaryForce on_disc;  ///< the wheel takes the opposite force at the disc's foot on the segment
 };
 
 struct WheelWorkspace {
@@ -38,25 +38,26 @@ struct WheelWorkspace {
     std::uint64_t refreshes_at_search = 0, rebuilds_at_search = 0;
     bool search = true;
     std::vector<Segment> segment;
-    std::vector<Vec2> contact_force_N;      ///< per node: reaction of the soil
-    std::vector<Vec2> force_N;              ///< per node: everything
-    std::vector<WheelContact> contact;      ///< this step's contacts, in order
-    std::vector<BoundaryContact> next;      ///< scratch: next step's springs
-    double largest_overlap_share = 0;       ///< overlap / radius of this step's deepest contact
-    std::uint32_t deepest_disc = 0;         ///< id
+    std::vector<Vec2> contact_force_N;  ///< per node: reaction of the soil
+    std::vector<Vec2> force_N;          ///< per node: everything
+    std::vector<WheelContact> contact;  ///< this step's contacts, in order
+    std::vector<BoundaryContact> next;  ///< scratch: next step's springs
+    double largest_overlap_share = 0;   ///< overlap / radius of this step's deepest contact
+    std::uint32_t deepest_disc = 0;     ///< id
 };
 
-/// Distance by which the search looks beyond touching. It does not change results: candidates that do not touch add nothing.
+/// Distance by which the search looks beyond touching. It does not change results: candidates that do not touch add
+/// nothing.
 inline constexpr double wheel_skin_m = 2e-3;
 
-/// Contact forces between discs and the wheel's boundary (section 2.5): added to the discs' slots and, shared by the segment's
-/// shape functions, to work.contact_force_N (which is cleared first). Advances the tangential springs.
+/// Contact forces between discs and the wheel's boundary (section 2.5): added to the discs' slots and, shared by the
+/// segment's shape functions, to work.contact_force_N (which is cleared first). Advances the tangential springs.
 ///
-/// A disc touches a segment where its centre projects onto it, or the corner that the segment starts from where it projects
-/// beyond both neighbours of a convex corner: one contact a corner, owned by one segment, and the force is continuous from
-/// segment over corner to segment. At a concave joint flatter than 45° only the deeper contact counts (both would double
-/// the stiffness of a nearly straight tread); at a sharper one, such as a lug's root, both do.
-/// The spring of a contact that slides on to the neighbouring segment goes with it.
+/// A disc touches a segment where its centre projects onto it, or the corner that the segment starts from where it
+/// projects beyond both neighbours of a convex corner: one contact a corner, owned by one segment, and the force is
+/// continuous from segment over corner to segment. At a concave joint flatter than 45° only the deeper contact counts
+/// (both would double the stiffness of a nearly straight tread); at a sharper one, such as a lug's root, both do. The
+/// spring of a contact that slides on to the neighbouring segment goes with it.
 void add_wheel_contacts(const DemConstants& k, const WheelModel& model, State& state, DemWorkspace& dem,
                         WheelWorkspace& work, double spring_step_s);
 

@@ -35,7 +35,8 @@ struct WheelModel {
 [[nodiscard]] double effective_radius_m(const WheelModel& model, const WheelState& wheel);
 
 /// Forces −c m (v − v_frame) of Eq 2.3 on the free nodes. In the frame of the wheel's own rigid motion they sum to no
-/// force and no moment; in the absolute frame the integrator takes them implicitly as Eq 2.8 has it, and nothing is added here.
+/// force and no moment; in the absolute frame the integrator takes them implicitly as Eq 2.8 has it, and nothing is
+/// added here.
 void add_damping_forces(const WheelModel& model, const WheelState& wheel, std::vector<Vec2>& force_N);
 
 /// Velocity of the frame that damping refers to: mean of c m v and of its moment over the free nodes.

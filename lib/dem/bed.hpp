@@ -4,12 +4,13 @@
 
 namespace ifedem {
 
-/// Discs of the case's radii (shares by number, shuffled by `bed.seed`) in rows shoulder to shoulder at the largest radius, a
-/// small random shift each, from the floor upwards: "generated and filled into the bin" (section 3.2.2), not yet settled.
+/// Discs of the case's radii (shares by number, shuffled by `bed.seed`) in rows shoulder to shoulder at the largest
+/// radius, a small random shift each, from the floor upwards: "generated and filled into the bin" (section 3.2.2), not
+/// yet settled.
 [[nodiscard]] DiscState generate_bed(const Case& c);
 
-/// Porosity of the bed between the floor and `top_m`, over the bin's middle (`margin_m` from each side wall): 1 − area of the
-/// discs cut by that rectangle / its area.
+/// Porosity of the bed between the floor and `top_m`, over the bin's middle (`margin_m` from each side wall): 1 − area
+/// of the discs cut by that rectangle / its area.
 [[nodiscard]] double measure_porosity(const DiscState& discs, double length_m, double margin_m, double bottom_m,
                                       double top_m);
 

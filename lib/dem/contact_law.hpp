@@ -18,8 +18,8 @@ struct ContactConstants {
     double inverse_tangential_stiffness_m_N = 0;
     double friction = 0;
     double damping_ratio_of_ratios = 0;  ///< C_s / C_n = √(K_s / K_n) at one ζ for both directions
-    double rolling_chords = 0;           ///< rolling moment / (half chord × spring force): 2α for the full chord, α for the half
-    double smallest_normal_N = 0;        ///< 0: no attraction; −∞: the dashpot may pull until the overlap ends
+    double rolling_chords = 0;  ///< rolling moment / (half chord × spring force): 2α for the full chord, α for the half
+    double smallest_normal_N = 0;  ///< 0: no attraction; −∞: the dashpot may pull until the overlap ends
 };
 
 template <class V>
@@ -31,11 +31,11 @@ struct ContactForces {
 };
 
 /// Eqs 2.17 and 2.18 for an overlap > 0; out of contact everything, the spring included, is 0.
-/// The spring is held within the Coulomb cap, so that a sliding contact releases its excess at once (the alternative, an
-/// unbounded spring under a capped force, would keep pulling after the sliding has reversed).
+/// The spring is held within the Coulomb cap, so that a sliding contact releases its excess at once (the alternative,
+/// an unbounded spring under a capped force, would keep pulling after the sliding has reversed).
 template <class V>
 IFEDEM_INLINE ContactForces<V> contact_forces(const ContactConstants& k, V overlap_m, V approach_m_s, V sliding_m_s,
-                                       V normal_damping_Ns_m, V old_spring_m, V step_s, V half_chord_m) {
+                                              V normal_damping_Ns_m, V old_spring_m, V step_s, V half_chord_m) {
     const V elastic = k.normal_stiffness_N_m * overlap_m;
     const V normal = max_of(elastic + normal_damping_Ns_m * approach_m_s, V(k.smallest_normal_N));
     const V cap = k.friction * max_of(normal, V(0.0));

@@ -15,8 +15,7 @@ ContactConstants make_contact(const ContactCase& c, double friction) {
     k.friction = friction;
     k.damping_ratio_of_ratios = std::sqrt(c.tangential_stiffness_N_m / c.normal_stiffness_N_m);
     k.rolling_chords = c.rolling_factor * (c.rolling_chord == RollingChord::full ? 2.0 : 1.0);
-    k.smallest_normal_N =
-        c.contact_end == ContactEnd::no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
+    k.smallest_normal_N = c.contact_end == ContactEnd::no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
     return k;
 }
 

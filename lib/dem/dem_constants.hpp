@@ -7,8 +7,8 @@
 
 namespace ifedem {
 
-// Half-width of the neighbour search beyond touching. They are part of the results: a rebuild of the outer list sorts the
-// discs anew and with them the order of sums. Measured optimum of rebuild cost against list length.
+// Half-width of the neighbour search beyond touching. They are part of the results: a rebuild of the outer list sorts
+// the discs anew and with them the order of sums. Measured optimum of rebuild cost against list length.
 inline constexpr double outer_skin_m = 1.2e-3;
 inline constexpr double inner_skin_m = 0.2e-3;
 /// Discs a block: the unit of parallel work and of summation; never the thread count, so that bits do not depend on it.

@@ -42,11 +42,11 @@ struct DemWorkspace {
     std::vector<std::uint32_t> slot_i, slot_j;  ///< force slots
     std::vector<double> damping_Ns_m;
     std::vector<Merge> merge;
-    std::vector<DiscForce> force;               ///< all blocks' slots
-    std::vector<std::uint32_t> force_slot;      ///< per disc: its own slot
-    std::vector<double> spin_per_moment;        ///< per disc: Δt/I, I = m r²/2
+    std::vector<DiscForce> force;           ///< all blocks' slots
+    std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
+    std::vector<double> spin_per_moment;    ///< per disc: Δt/I, I = m r²/2
     std::vector<std::uint32_t> position_of_id;
-    std::vector<WallCandidate> wall;            ///< as State::wall_contacts, with positions
+    std::vector<WallCandidate> wall;  ///< as State::wall_contacts, with positions
     bool refresh_inner = true;
     bool rebuild_outer = true;
     std::uint64_t rebuilds = 0, refreshes = 0;  ///< for the account of costs only

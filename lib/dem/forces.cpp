@@ -12,9 +12,10 @@ namespace {
 void add_block_pairs(const DemConstants& k, const Block& block, const DiscState& discs, std::vector<double>& spring,
                      DemWorkspace& work, double spring_step_s) {
     std::fill(work.force.begin() + block.force_begin, work.force.begin() + block.force_end, DiscForce{});
-    const PairBatch batch{discs.disc.data(),        work.i.data(),  work.j.data(),     work.slot_i.data(),
-                          work.slot_j.data(),       work.damping_Ns_m.data(), spring.data(), work.force.data(),
-                          block.pair_begin,         block.pair_end, spring_step_s};
+    const PairBatch batch{discs.disc.data(),  work.i.data(),      work.j.data(),
+                          work.slot_i.data(), work.slot_j.data(), work.damping_Ns_m.data(),
+                          spring.data(),      work.force.data(),  block.pair_begin,
+                          block.pair_end,     spring_step_s};
     work.pair_kernel(k.soil, batch);
 }
 
@@ -46,9 +47,8 @@ BoundaryForce boundary_force(const ContactConstants& k, double damping_ratio, co
     out.overlap_m = (disc.radius_m + opposite_radius_m) - centre_distance_m;
     if (out.overlap_m <= 0) return out;
     // A straight surface is the limit of a large circle: its chord is that of the disc cut by the line.
-    const double product = opposite_radius_m > 0
-                               ? chord_product(out.overlap_m, disc.radius_m, opposite_radius_m)
-                               : out.overlap_m * (2.0 * disc.radius_m - out.overlap_m);
+    const double product = opposite_radius_m > 0 ? chord_product(out.overlap_m, disc.radius_m, opposite_radius_m)
+                                                 : out.overlap_m * (2.0 * disc.radius_m - out.overlap_m);
     const double half_chord =
         opposite_radius_m > 0 ? 0.5 * root(max_of(product, 0.0)) / centre_distance_m : root(max_of(product, 0.0));
     const double arm = opposite_radius_m > 0 ? disc.radius_m - 0.5 * out.overlap_m : centre_distance_m;
@@ -110,7 +110,8 @@ void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspac
 #pragma omp parallel for schedule(static)
     for (std::int64_t n = 0; n < blocks; ++n) {
         const Block& block = work.block[static_cast<std::size_t>(n)];
-        const DiscForce* force = work.force.data() + block.force_begin;  // a block's own slots come first, in disc order
+        const DiscForce* force =
+            work.force.data() + block.force_begin;  // a block's own slots come first, in disc order
         Disc* disc = state.discs.disc.data();
         const double* spin_per_moment = work.spin_per_moment.data();
         for (std::uint32_t p = block.disc_begin; p < block.disc_end; ++p, ++force) {

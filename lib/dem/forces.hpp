@@ -12,8 +12,8 @@ void add_pair_forces(const DemConstants& k, State& state, DemWorkspace& work, do
 /// Adds the forces of flat walls or wall discs to the discs' own slots.
 void add_wall_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s);
 
-/// A disc against a body of infinite mass at distance `centre_distance_m` along the unit vector `normal` (from the disc to
-/// the body): force on the disc, its moment and rolling limit, and the new spring.
+/// A disc against a body of infinite mass at distance `centre_distance_m` along the unit vector `normal` (from the disc
+/// to the body): force on the disc, its moment and rolling limit, and the new spring.
 struct BoundaryForce {
     Vec2 force_N;
     double moment_Nm = 0;
@@ -38,8 +38,8 @@ struct WallSide {
 /// Advances velocities and positions by the symplectic Euler rule v += a Δt, x += v Δt (v stands at half steps).
 void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work);
 
-/// Angular velocity after a step whose other moments alone would give `omega_free`, with rolling resistance (Eq 2.18): as a
-/// limit it can stop but never reverse the rotation.
+/// Angular velocity after a step whose other moments alone would give `omega_free`, with rolling resistance (Eq 2.18):
+/// as a limit it can stop but never reverse the rotation.
 [[nodiscard]] double apply_rolling(RollingScheme rolling, double omega_free_rad_s, double omega_now_rad_s,
                                    double largest_change_rad_s);
 

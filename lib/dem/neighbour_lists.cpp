@@ -236,8 +236,7 @@ void unpack_pairs(const DemConstants& k, const State& state, DemWorkspace& work)
     work.i.resize(n_pairs), work.j.resize(n_pairs), work.damping_Ns_m.resize(n_pairs);
     for (std::size_t n = 0; n < n_pairs; ++n) {
         work.i[n] = p.i[p.inner[n]], work.j[n] = p.j[p.inner[n]];
-        const double reduced =
-            1.0 / (disc[work.i[n]].inverse_mass_1_kg + disc[work.j[n]].inverse_mass_1_kg);
+        const double reduced = 1.0 / (disc[work.i[n]].inverse_mass_1_kg + disc[work.j[n]].inverse_mass_1_kg);
         work.damping_Ns_m[n] = dashpot_Ns_m(k.damping_ratio, k.soil.normal_stiffness_N_m, reduced);
     }
 }

@@ -38,8 +38,8 @@ struct PairForces {
 
 /// Eq 2.17 between discs i and j; the force is that on j, the opposite acts on i.
 template <class V>
-IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairSide<V>& i, const PairSide<V>& j, V damping,
-                                        V spring, V spring_step) {
+IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairSide<V>& i, const PairSide<V>& j,
+                                        V damping, V spring, V spring_step) {
     const V dx = j.x - i.x, dy = j.y - i.y;
     const V distance = root(dx * dx + dy * dy);
     const V overlap = (i.radius + j.radius) - distance;
@@ -52,9 +52,12 @@ IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairSid
     const V sliding = (uy * nx - ux * ny) + (i.omega * arm_i + j.omega * arm_j);
     const V half_chord = (0.5 * inverse) * root(max_of(chord_product(overlap, i.radius, j.radius), V(0.0)));
     const auto f = contact_forces(k, overlap, approach, sliding, damping, spring, spring_step, half_chord);
-    return {f.normal_N * nx - f.tangential_N * ny, f.normal_N * ny + f.tangential_N * nx,
-            V(0.0) - f.tangential_N * arm_i,       V(0.0) - f.tangential_N * arm_j,
-            f.rolling_limit_Nm,                    f.tangential_spring_m};
+    return {f.normal_N * nx - f.tangential_N * ny,
+            f.normal_N * ny + f.tangential_N * nx,
+            V(0.0) - f.tangential_N * arm_i,
+            V(0.0) - f.tangential_N * arm_j,
+            f.rolling_limit_Nm,
+            f.tangential_spring_m};
 }
 
 /// One pair; also the tail of a block.
@@ -81,9 +84,12 @@ IFEDEM_INLINE PairSide<Pack<2>> load_side<2>(const Disc* disc, const std::uint32
     using P = Pack<2>;
     using R = P::Raw;
     const Disc &a = disc[at[0]], &b = disc[at[1]];
-    return {{P::FromRaw{}, R{a.x_m, b.x_m}},         {P::FromRaw{}, R{a.y_m, b.y_m}},
-            {P::FromRaw{}, R{a.vx_m_s, b.vx_m_s}},   {P::FromRaw{}, R{a.vy_m_s, b.vy_m_s}},
-            {P::FromRaw{}, R{a.omega_rad_s, b.omega_rad_s}}, {P::FromRaw{}, R{a.radius_m, b.radius_m}}};
+    return {{P::FromRaw{}, R{a.x_m, b.x_m}},
+            {P::FromRaw{}, R{a.y_m, b.y_m}},
+            {P::FromRaw{}, R{a.vx_m_s, b.vx_m_s}},
+            {P::FromRaw{}, R{a.vy_m_s, b.vy_m_s}},
+            {P::FromRaw{}, R{a.omega_rad_s, b.omega_rad_s}},
+            {P::FromRaw{}, R{a.radius_m, b.radius_m}}};
 }
 
 template <>
@@ -95,13 +101,20 @@ IFEDEM_INLINE PairSide<Pack<4>> load_side<4>(const Disc* disc, const std::uint32
         __builtin_memcpy(&low[n], &disc[at[n]].x_m, 32);
         __builtin_memcpy(&high[n], &disc[at[n]].omega_rad_s, 32);
     }
-    const R a = __builtin_shufflevector(low[0], low[1], 0, 4, 2, 6), b = __builtin_shufflevector(low[0], low[1], 1, 5, 3, 7);
-    const R c = __builtin_shufflevector(low[2], low[3], 0, 4, 2, 6), d = __builtin_shufflevector(low[2], low[3], 1, 5, 3, 7);
-    const R e = __builtin_shufflevector(high[0], high[1], 0, 4, 2, 6), f = __builtin_shufflevector(high[0], high[1], 1, 5, 3, 7);
-    const R g = __builtin_shufflevector(high[2], high[3], 0, 4, 2, 6), h = __builtin_shufflevector(high[2], high[3], 1, 5, 3, 7);
-    return {{P::FromRaw{}, __builtin_shufflevector(a, c, 0, 1, 4, 5)}, {P::FromRaw{}, __builtin_shufflevector(b, d, 0, 1, 4, 5)},
-            {P::FromRaw{}, __builtin_shufflevector(a, c, 2, 3, 6, 7)}, {P::FromRaw{}, __builtin_shufflevector(b, d, 2, 3, 6, 7)},
-            {P::FromRaw{}, __builtin_shufflevector(e, g, 0, 1, 4, 5)}, {P::FromRaw{}, __builtin_shufflevector(f, h, 0, 1, 4, 5)}};
+    const R a = __builtin_shufflevector(low[0], low[1], 0, 4, 2, 6),
+            b = __builtin_shufflevector(low[0], low[1], 1, 5, 3, 7);
+    const R c = __builtin_shufflevector(low[2], low[3], 0, 4, 2, 6),
+            d = __builtin_shufflevector(low[2], low[3], 1, 5, 3, 7);
+    const R e = __builtin_shufflevector(high[0], high[1], 0, 4, 2, 6),
+            f = __builtin_shufflevector(high[0], high[1], 1, 5, 3, 7);
+    const R g = __builtin_shufflevector(high[2], high[3], 0, 4, 2, 6),
+            h = __builtin_shufflevector(high[2], high[3], 1, 5, 3, 7);
+    return {{P::FromRaw{}, __builtin_shufflevector(a, c, 0, 1, 4, 5)},
+            {P::FromRaw{}, __builtin_shufflevector(b, d, 0, 1, 4, 5)},
+            {P::FromRaw{}, __builtin_shufflevector(a, c, 2, 3, 6, 7)},
+            {P::FromRaw{}, __builtin_shufflevector(b, d, 2, 3, 6, 7)},
+            {P::FromRaw{}, __builtin_shufflevector(e, g, 0, 1, 4, 5)},
+            {P::FromRaw{}, __builtin_shufflevector(f, h, 0, 1, 4, 5)}};
 }
 
 template <>
@@ -140,8 +153,10 @@ IFEDEM_INLINE void add_lane(DiscForce& to, const Pack<W>& x, const Pack<W>& y, c
 
 /// Four lanes of four columns as four records.
 IFEDEM_INLINE void transpose_four(const Four in[4], Four out[4]) {
-    const Four a = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6), b = __builtin_shufflevector(in[0], in[1], 1, 5, 3, 7);
-    const Four c = __builtin_shufflevector(in[2], in[3], 0, 4, 2, 6), d = __builtin_shufflevector(in[2], in[3], 1, 5, 3, 7);
+    const Four a = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6),
+               b = __builtin_shufflevector(in[0], in[1], 1, 5, 3, 7);
+    const Four c = __builtin_shufflevector(in[2], in[3], 0, 4, 2, 6),
+               d = __builtin_shufflevector(in[2], in[3], 1, 5, 3, 7);
     out[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5), out[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
     out[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7), out[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }

@@ -19,8 +19,8 @@ struct Material {
 /// What one corotational element needs in a step, computed once from the reference mesh.
 struct Element {
     std::array<std::uint32_t, 4> node{};
-    std::array<Vec2, 4> reference_m{};     ///< node positions relative to the element's mean
-    std::array<Vec2, 4> gradient_1_m{};    ///< shape-function gradients at the centroid
+    std::array<Vec2, 4> reference_m{};       ///< node positions relative to the element's mean
+    std::array<Vec2, 4> gradient_1_m{};      ///< shape-function gradients at the centroid
     std::array<double, 64> stiffness_N_m{};  ///< Kᵉ of Eq 2.5, rows (x0 y0 x1 y1 …), 2 × 2 Gauss
 };
 
@@ -28,27 +28,28 @@ struct Element {
 struct ElementSet {
     std::vector<Element> element;
     std::vector<double> element_mass_kg;
-    std::vector<double> mass_kg;         ///< per node: Σ mᵉ/4
-    std::vector<double> damping_kg_s;    ///< per node: Σ c mᵉ/4
+    std::vector<double> mass_kg;       ///< per node: Σ mᵉ/4
+    std::vector<double> damping_kg_s;  ///< per node: Σ c mᵉ/4
 };
 
 /// WR, WI, WS and WL of a wheel, in the order of Part.
 [[nodiscard]] std::array<Material, 4> wheel_materials(const WheelCase& wheel);
 
-/// `material` is indexed by Part; those of parts without elements are not looked at.  Throws Error(bad_input) for an element with a non-positive Jacobian.
+/// `material` is indexed by Part; those of parts without elements are not looked at.  Throws Error(bad_input) for an
+/// element with a non-positive Jacobian.
 [[nodiscard]] ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material, double thickness_m,
                                        PlaneState plane);
 
-/// Adds the internal force −∂U/∂x to `force_N` (one Vec2 a node), U = Σ ½ dᵀ Kᵉ d with d = Rᵀx − X and R the rotation of
-/// the centroid gradient. The derivative of R is kept, so that each element's forces balance in force and moment and the
-/// work done equals the change of U.
+/// Adds the internal force −∂U/∂x to `force_N` (one Vec2 a node), U = Σ ½ dᵀ Kᵉ d with d = Rᵀx − X and R the rotation
+/// of the centroid gradient. The derivative of R is kept, so that each element's forces balance in force and moment and
+/// the work done equals the change of U.
 void add_internal_force(const ElementSet& set, std::span<const Vec2> position_m, std::span<Vec2> force_N);
 
 [[nodiscard]] double strain_energy_J(const ElementSet& set, std::span<const Vec2> position_m);
 
 /// Largest stable step of the central difference, 2/ω_max, with ω_max² bounded by the largest element eigenvalue
-/// (exact 8 × 8 eigenproblem of Kᵉ and lumped mass), and the element that sets it. Safe, without damping and contacts; the
-/// mesh as a whole often bears twice as much, because narrow elements borrow mass from wide neighbours.
+/// (exact 8 × 8 eigenproblem of Kᵉ and lumped mass), and the element that sets it. Safe, without damping and contacts;
+/// the mesh as a whole often bears twice as much, because narrow elements borrow mass from wide neighbours.
 struct StableStep {
     double step_s = 0;
     std::uint32_t element = 0;
@@ -61,7 +62,7 @@ struct StableStep {
 [[nodiscard]] std::optional<std::uint32_t> find_inverted(const ElementSet& set, std::span<const Vec2> position_m);
 
 /// Cauchy stress estimate at the centroid (σx, σy, τxy) in Pa, rotated to global axes, for pictures.
-[[nodiscard]] std::array<double, 3> centroid_stress_Pa(const Element& element, const Material& material, PlaneState plane,
-                                                       std::span<const Vec2> position_m);
+[[nodiscard]] std::array<double, 3> centroid_stress_Pa(const Element& element, const Material& material,
+                                                       PlaneState plane, std::span<const Vec2> position_m);
 
 }  // namespace ifedem

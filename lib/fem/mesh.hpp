@@ -20,19 +20,21 @@ struct Mesh {
 /// A wheel about its hub at the origin, at angle 0.
 struct WheelMesh {
     Mesh mesh;
-    std::vector<std::uint32_t> boundary;     ///< outer loop, counter-clockwise; segment k runs from boundary[k] to the next
+    std::vector<std::uint32_t>
+        boundary;  ///< outer loop, counter-clockwise; segment k runs from boundary[k] to the next
     std::vector<std::uint32_t> rim_surface;  ///< nodes at the rim radius: T acts here, θ is their mean (Eq 3.4)
-    std::vector<std::uint32_t> rigid;        ///< nodes that move with the rim: rim surface (rigid rim), all (rigid), none (elastic)
+    std::vector<std::uint32_t>
+        rigid;  ///< nodes that move with the rim: rim surface (rigid rim), all (rigid), none (elastic)
     static constexpr std::uint32_t no_node = 0xffffffffU;
-    std::uint32_t hub = no_node;             ///< centre node: W and P act here; only an elastic rim has one
+    std::uint32_t hub = no_node;  ///< centre node: W and P act here; only an elastic rim has one
 };
 
 /// Mesh of rings and columns with U-lugs (pairs of blocks with parallel sides, corners on the outermost circle).
-/// Counter-clockwise from wheel.lug_phase_deg a pair is: lug, gap, lug, rest of the pitch; lug and gap are arcs at the tread
-/// radius. With lug_pairs = 0 the tread is smooth, with as many columns as twelve pairs would have. Rigid and rigid-rim
-/// wheels carry no elements inside the rim; an elastic rim is rings around a block of quads with the hub in its centre.
-/// Nodes and elements from the rim surface outwards are numbered alike whatever the body.
-/// Throws Error(bad_input) where the sizes contradict each other.
+/// Counter-clockwise from wheel.lug_phase_deg a pair is: lug, gap, lug, rest of the pitch; lug and gap are arcs at the
+/// tread radius. With lug_pairs = 0 the tread is smooth, with as many columns as twelve pairs would have. Rigid and
+/// rigid-rim wheels carry no elements inside the rim; an elastic rim is rings around a block of quads with the hub in
+/// its centre. Nodes and elements from the rim surface outwards are numbered alike whatever the body. Throws
+/// Error(bad_input) where the sizes contradict each other.
 [[nodiscard]] WheelMesh make_wheel_mesh(const WheelCase& wheel);
 
 }  // namespace ifedem

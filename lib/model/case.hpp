@@ -15,8 +15,8 @@ enum class ContactEnd { no_attraction, attraction };  ///< force ends at F = 0, 
 enum class RollingScheme { limit, sign };             ///< a limit that can stop rotation, or the raw sign of Eq 2.18
 enum class RollingChord { full, half };               ///< b of Eq 2.18
 enum class WallKind { flat, discs };
-enum class WheelBody { rigid, rigid_rim, elastic };   ///< all rigid; elastic layers on a rigid rim; all elastic
-enum class DampingFrame { rigid_motion, absolute };   ///< what c of Eq 2.3 multiplies: v − v_rigid, or v
+enum class WheelBody { rigid, rigid_rim, elastic };  ///< all rigid; elastic layers on a rigid rim; all elastic
+enum class DampingFrame { rigid_motion, absolute };  ///< what c of Eq 2.3 multiplies: v − v_rigid, or v
 enum class SlipRadius { tread, lug_tip };
 enum class ControlScheme { semi_implicit, explicit_ };
 enum class PlaneState { stress, strain };
@@ -144,11 +144,13 @@ struct Override {
     std::string value;
 };
 
-/// Reads a TOML case. Throws Error(bad_input) with every fault found, one a line: "file:line:column: what is wrong. What to do?".
+/// Reads a TOML case. Throws Error(bad_input) with every fault found, one a line: "file:line:column: what is wrong.
+/// What to do?".
 [[nodiscard]] Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
 
 /// The same from text; `name` stands for the file in messages.
-[[nodiscard]] Case parse_case(const std::string& text, const std::string& name, const std::vector<Override>& overrides = {});
+[[nodiscard]] Case parse_case(const std::string& text, const std::string& name,
+                              const std::vector<Override>& overrides = {});
 
 /// The case as TOML with every key written out; reads back to the same values to the last bit.
 [[nodiscard]] std::string to_toml(const Case& c);

@@ -28,8 +28,8 @@ struct DiscAcceleration {
 };
 
 struct DiscState {
-    std::vector<Disc> disc;         ///< in list order (sorted by cell at each rebuild)
-    std::vector<std::uint32_t> id;  ///< the disc's number from the beginning, per list position
+    std::vector<Disc> disc;                      ///< in list order (sorted by cell at each rebuild)
+    std::vector<std::uint32_t> id;               ///< the disc's number from the beginning, per list position
     std::vector<DiscAcceleration> acceleration;  ///< empty for the symplectic integrator
 };
 
@@ -37,11 +37,11 @@ struct DiscState {
 /// i and j are list positions, i < j, sorted by i then j.
 struct PairState {
     std::vector<std::uint32_t> i, j;
-    std::vector<double> tangential_m;           ///< Δu_s of Eq 2.17; 0 out of contact
-    std::vector<Vec2> reference_m;              ///< disc positions at the last rebuild, list order
+    std::vector<double> tangential_m;  ///< Δu_s of Eq 2.17; 0 out of contact
+    std::vector<Vec2> reference_m;     ///< disc positions at the last rebuild, list order
     // The inner list: entries of the outer one that are near enough to touch before the next refresh.
-    std::vector<std::uint32_t> inner;           ///< index into i, j
-    std::vector<Vec2> inner_reference_m;        ///< disc positions at the last refresh
+    std::vector<std::uint32_t> inner;     ///< index into i, j
+    std::vector<Vec2> inner_reference_m;  ///< disc positions at the last refresh
 };
 
 /// Contact of a disc with a wall or a wheel segment: who, and the tangential displacement.
@@ -60,17 +60,17 @@ struct RigidBody {
 };
 
 struct WheelState {
-    std::vector<Vec2> position_m;    ///< node positions, all nodes of the mesh
+    std::vector<Vec2> position_m;  ///< node positions, all nodes of the mesh
     std::vector<Vec2> velocity_m_s;
-    RigidBody rim;                   ///< for an elastic rim: hub node and mean rotation of the rim surface
+    RigidBody rim;  ///< for an elastic rim: hub node and mean rotation of the rim surface
 };
 
 /// Memory of one PID loop (Eqs 3.2, 3.3).
 struct PidState {
-    double error_sum = 0;    ///< Σ e Δt
+    double error_sum = 0;  ///< Σ e Δt
     double error_old = 0;
-    double output = 0;       ///< P in N, or T in N m (clockwise)
-    double target = 0;       ///< x in m, or the clockwise angle in rad
+    double output = 0;  ///< P in N, or T in N m (clockwise)
+    double target = 0;  ///< x in m, or the clockwise angle in rad
 };
 
 struct ControlState {
@@ -85,7 +85,7 @@ struct EnergyLedger {
     double lost_normal_J = 0;      ///< dashpots and the release of springs cut off at the contact end
     double lost_tangential_J = 0;  ///< sliding and tangential dashpots
     double lost_rolling_J = 0;
-    double lost_wheel_J = 0;       ///< damping of the wheel's elements
+    double lost_wheel_J = 0;  ///< damping of the wheel's elements
 };
 
 /// Sums over the steps since the last line of series.csv, so that a line is the mean over its interval.
@@ -101,8 +101,8 @@ enum class Stage : std::uint64_t { consolidation = 0, sinkage = 1, travel = 2, f
 
 struct Progress {
     Stage stage = Stage::consolidation;
-    std::uint64_t step = 0;        ///< within the stage; time = step · dt, never accumulated
-    std::uint64_t total_steps = 0; ///< of all stages so far
+    std::uint64_t step = 0;         ///< within the stage; time = step · dt, never accumulated
+    std::uint64_t total_steps = 0;  ///< of all stages so far
 };
 
 struct State {
@@ -118,8 +118,8 @@ struct State {
     Vec2 touch_position_m;  ///< hub centre just before the first touch: the zero of sinkage
 };
 
-/// Calls f(name, member) for every member of the state, in a fixed order. Members are arithmetic values, enums, Vec2 and
-/// other aggregates of doubles, or vectors of these. Works on State& and const State&.
+/// Calls f(name, member) for every member of the state, in a fixed order. Members are arithmetic values, enums, Vec2
+/// and other aggregates of doubles, or vectors of these. Works on State& and const State&.
 template <class S, class F>
 void for_each_member(S& s, F&& f) {
     f("progress/stage", s.progress.stage);

@@ -246,7 +246,9 @@ FrameFile FrameFile::create(const std::string& path, FrameFileHeader header, std
 FrameFile FrameFile::open(const std::string& path, FrameFileHeader header) {
     FrameFile result(path, std::move(header));
     const FrameFileHeader stored = read_frame_header(path);
-    if (stored.case_text != result.header_.case_text || stored.mesh.quad != result.header_.mesh.quad) {
+    // Compared by value: the comments of a case file may change from one version of the program to the next.
+    if (to_toml(parse_case(stored.case_text, path)) != to_toml(parse_case(result.header_.case_text, path)) ||
+        stored.mesh.quad != result.header_.mesh.quad) {
         fail_io("'" + path +
                 "' belongs to another case than the checkpoint (the directory holds files of two runs?). Start the run "
                 "again in a new directory?");

@@ -26,7 +26,7 @@ struct SeriesRow {
     double motion_resistance_N = 0;
     double torque_Nm = 0;
     // Beyond the contract: direct sums, what was commanded, and the energy account since the stage began.
-    double fx_positive_N = 0, fx_negative_N = 0;  ///< Eqs 2.13, 2.14 on the boundary nodes
+    double fx_positive_N = 0, fx_negative_N = 0;                           ///< Eqs 2.13, 2.14 on the boundary nodes
     double hub_speed_m_s = 0, omega_rad_s = 0, commanded_omega_rad_s = 0;  ///< ω clockwise
     EnergyLedger ledger;
     double stored_J = 0;  ///< kinetic, elastic and potential energy of the whole scene now

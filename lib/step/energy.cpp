@@ -25,9 +25,9 @@ PairMotion pair_motion(const Disc& a, const Disc& b) {
     const double distance = norm(d), overlap = a.radius_m + b.radius_m - distance;
     if (overlap <= 0) return {overlap, 0, 0};
     const Vec2 normal = (1.0 / distance) * d, u{a.vx_m_s - b.vx_m_s, a.vy_m_s - b.vy_m_s};
-    return {overlap, dot(u, normal),
-            cross(normal, u) + a.omega_rad_s * (a.radius_m - 0.5 * overlap) +
-                b.omega_rad_s * (b.radius_m - 0.5 * overlap)};
+    return {
+        overlap, dot(u, normal),
+        cross(normal, u) + a.omega_rad_s * (a.radius_m - 0.5 * overlap) + b.omega_rad_s * (b.radius_m - 0.5 * overlap)};
 }
 
 /// `at` with velocities half-way between two steps.
@@ -153,7 +153,8 @@ EnergyStore measure_energy(const Scene& scene, const State& state, const Workspa
                               work.wheel.contact[n].on_disc.tangential_spring_m);
     const WheelModel& m = scene.wheel;
     for (const std::uint32_t n : m.free_node)
-        e.kinetic_wheel_J += 0.5 * m.elements.mass_kg[n] * dot(state.wheel.velocity_m_s[n], state.wheel.velocity_m_s[n]);
+        e.kinetic_wheel_J +=
+            0.5 * m.elements.mass_kg[n] * dot(state.wheel.velocity_m_s[n], state.wheel.velocity_m_s[n]);
     const RigidBody& rim = state.wheel.rim;
     if (m.body != WheelBody::elastic)
         e.kinetic_wheel_J += 0.5 * m.body_mass_kg * dot(rim.velocity_m_s, rim.velocity_m_s) +

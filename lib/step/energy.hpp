@@ -24,12 +24,12 @@ struct EnergyFlow {
     double lost_normal_W = 0;      ///< dashpots, and springs cut off where the contact ends before its overlap
     double lost_tangential_W = 0;  ///< sliding and tangential dashpots
     double lost_rolling_W = 0;
-    double lost_wheel_W = 0;       ///< damping of the elements
+    double lost_wheel_W = 0;  ///< damping of the elements
 };
 
-/// Makes one step and measures it. Every force is taken with the mean of the velocities before and after the step, which is
-/// the path that the central difference gives it: the sum of work and losses then closes to the order of the step's own
-/// energy error. (With the lagged velocities the losses in collisions come out too large by some dt/√(m/k).)
+/// Makes one step and measures it. Every force is taken with the mean of the velocities before and after the step,
+/// which is the path that the central difference gives it: the sum of work and losses then closes to the order of the
+/// step's own energy error. (With the lagged velocities the losses in collisions come out too large by some dt/√(m/k).)
 /// Symplectic integrator only; the state afterwards is that of step().
 [[nodiscard]] EnergyFlow step_and_measure(const Scene& scene, State& state, Workspace& work);
 

@@ -1,8 +1,8 @@
 #include "step/health.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace ifedem {
 namespace {
@@ -40,10 +40,9 @@ std::optional<Violation> check_overlaps(const Scene& scene, const State& state, 
                              "Raise contact.normal_stiffness_N_m, or halve time_step_s if speeds are growing."};
     }
     if (scene.has_wheel() && work.wheel.largest_overlap_share > limit)
-        return Violation{state.progress.total_steps,
-                         fmt::format("disc {} and the wheel overlap", work.wheel.deepest_disc),
-                         work.wheel.largest_overlap_share, limit,
-                         "Raise contact.normal_stiffness_N_m, or halve time_step_s."};
+        return Violation{
+            state.progress.total_steps, fmt::format("disc {} and the wheel overlap", work.wheel.deepest_disc),
+            work.wheel.largest_overlap_share, limit, "Raise contact.normal_stiffness_N_m, or halve time_step_s."};
     return std::nullopt;
 }
 
@@ -78,8 +77,8 @@ std::optional<Violation> check_health(const Scene& scene, const State& state, co
 }
 
 std::string to_text(const Violation& v) {
-    return fmt::format("stopped at step {}: {} (value {:.6g}, limit {:.6g}). {}", v.total_steps, v.what, v.value, v.limit,
-                       v.remedy);
+    return fmt::format("stopped at step {}: {} (value {:.6g}, limit {:.6g}). {}", v.total_steps, v.what, v.value,
+                       v.limit, v.remedy);
 }
 
 }  // namespace ifedem

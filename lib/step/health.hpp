@@ -12,7 +12,7 @@ inline constexpr std::uint64_t health_interval = 50;
 /// What went wrong first; prints as "step, body, value, limit and remedy".
 struct Violation {
     std::uint64_t total_steps = 0;
-    std::string what;    ///< "disc 17 has left the bin"
+    std::string what;  ///< "disc 17 has left the bin"
     double value = 0;
     double limit = 0;
     std::string remedy;  ///< "Halve time_step_s …"

@@ -39,7 +39,8 @@ void advance_free_nodes(const Scene& scene, State& state, const WheelWorkspace& 
     for (const std::uint32_t n : m.free_node) {
         Vec2& v = state.wheel.velocity_m_s[n];
         const double mass = m.elements.mass_kg[n], c = absolute_damping_kg_s(m, n);
-        if (n != except) v = {advance(v.x, work.force_N[n].x, mass, c, dt), advance(v.y, work.force_N[n].y, mass, c, dt)};
+        if (n != except)
+            v = {advance(v.x, work.force_N[n].x, mass, c, dt), advance(v.y, work.force_N[n].y, mass, c, dt)};
     }
 }
 
@@ -62,15 +63,15 @@ void advance_rigid_rim(const Scene& scene, State& state, const WheelWorkspace& w
     }
     const double c = m.damping_frame == DampingFrame::absolute ? m.body_damping_1_s : 0.0;
     const Targets target = next_targets(scene, state);
-    rim.velocity_m_s.x = advance_controlled(
-        control.scheme, control.drawbar,
-        {m.body_mass_kg, c * m.body_mass_kg, rim.position_m.x, rim.velocity_m_s.x, force.x}, target.x_m, dt,
-        state.control.drawbar);
+    rim.velocity_m_s.x =
+        advance_controlled(control.scheme, control.drawbar,
+                           {m.body_mass_kg, c * m.body_mass_kg, rim.position_m.x, rim.velocity_m_s.x, force.x},
+                           target.x_m, dt, state.control.drawbar);
     rim.velocity_m_s.y = advance(rim.velocity_m_s.y, force.y, m.body_mass_kg, c * m.body_mass_kg, dt);
-    rim.omega_rad_s = -advance_controlled(
-        control.scheme, control.torque,
-        {m.body_inertia_kg_m2, c * m.body_inertia_kg_m2, -rim.angle_rad, -rim.omega_rad_s, -moment},
-        target.angle_clockwise_rad, dt, state.control.torque);
+    rim.omega_rad_s =
+        -advance_controlled(control.scheme, control.torque,
+                            {m.body_inertia_kg_m2, c * m.body_inertia_kg_m2, -rim.angle_rad, -rim.omega_rad_s, -moment},
+                            target.angle_clockwise_rad, dt, state.control.torque);
     rim.position_m += dt * rim.velocity_m_s;
     rim.angle_rad += dt * rim.omega_rad_s;
     const CosSin turn = cos_sin(rim.angle_rad);
@@ -128,14 +129,13 @@ void advance_elastic_rim(const Scene& scene, State& state, const WheelWorkspace&
     Vec2& v = w.velocity_m_s[hub];
     const double mass = m.elements.mass_kg[hub], c = absolute_damping_kg_s(m, hub);
     v.y = advance(v.y, work.force_N[hub].y - m.load_N, mass, c, dt);
-    v.x = advance_controlled(control.scheme, control.drawbar,
-                             {mass, c, w.position_m[hub].x, v.x, work.force_N[hub].x}, target.x_m, dt,
-                             state.control.drawbar);
+    v.x = advance_controlled(control.scheme, control.drawbar, {mass, c, w.position_m[hub].x, v.x, work.force_N[hub].x},
+                             target.x_m, dt, state.control.drawbar);
     // The nodes have been advanced without T; the loop sees their mean spin as its free motion.
     const double spin = mean_rim_spin(m, w);
     static_cast<void>(advance_controlled(control.scheme, control.torque,
-                       {rim_inertia_kg_m2(m, w), 0.0, -w.rim.angle_rad, spin, 0.0}, target.angle_clockwise_rad, dt,
-                       state.control.torque));
+                                         {rim_inertia_kg_m2(m, w), 0.0, -w.rim.angle_rad, spin, 0.0},
+                                         target.angle_clockwise_rad, dt, state.control.torque));
     add_torque(m, w, state.control.torque.output, dt);
     w.rim.omega_rad_s = -mean_rim_spin(m, w);
     w.rim.angle_rad += dt * w.rim.omega_rad_s;

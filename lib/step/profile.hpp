@@ -5,8 +5,8 @@
 namespace ifedem {
 
 enum class Phase { lists, pairs, walls, wheel_contact, wheel_force, wheel_motion, discs, watch, count };
-inline constexpr std::array<const char*, 8> phase_name = {"neighbour lists", "disc-disc forces",  "walls",
-                                                          "wheel contact",   "wheel elements",    "wheel and control",
+inline constexpr std::array<const char*, 8> phase_name = {"neighbour lists",  "disc-disc forces", "walls",
+                                                          "wheel contact",    "wheel elements",   "wheel and control",
                                                           "disc integration", "movement watch"};
 
 /// Seconds spent in each phase of the step; off unless asked for.

@@ -8,7 +8,8 @@
 namespace ifedem {
 namespace {
 
-/// Lowers the wheel from above until it is a hair from touching: each drop is the least gap, so it can never pass through.
+/// Lowers the wheel from above until it is a hair from touching: each drop is the least gap, so it can never pass
+/// through.
 Vec2 find_first_touch(const Scene& scene, const State& state) {
     const auto& discs = state.discs.disc;
     const double reach = scene.wheel.outer_radius_m + scene.dem.largest_radius_m;

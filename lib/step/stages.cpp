@@ -9,12 +9,22 @@ std::string stage_hash(const Case& c, Stage stage, int results_version) {
     h.add(static_cast<std::uint64_t>(results_version));
     h.add(static_cast<std::uint64_t>(stage));
     // The bed depends neither on the wheel nor on the friction of later stages, so that loads and wheels share one bed.
-    std::vector<std::string> keys = {"gravity_m_s2", "time_step_s", "integrator", "soil", "bed",
-                                     "stages.consolidation_s", "record.energy_interval_s",
-                                     "contact.normal_stiffness_N_m", "contact.tangential_stiffness_N_m",
-                                     "contact.consolidation_friction_soil", "contact.consolidation_friction_wall",
-                                     "contact.damping_ratio", "contact.rolling_factor", "contact.rolling_chord",
-                                     "contact.rolling_scheme", "contact.contact_end"};
+    std::vector<std::string> keys = {"gravity_m_s2",
+                                     "time_step_s",
+                                     "integrator",
+                                     "soil",
+                                     "bed",
+                                     "stages.consolidation_s",
+                                     "record.energy_interval_s",
+                                     "contact.normal_stiffness_N_m",
+                                     "contact.tangential_stiffness_N_m",
+                                     "contact.consolidation_friction_soil",
+                                     "contact.consolidation_friction_wall",
+                                     "contact.damping_ratio",
+                                     "contact.rolling_factor",
+                                     "contact.rolling_chord",
+                                     "contact.rolling_scheme",
+                                     "contact.contact_end"};
     if (stage != Stage::consolidation)
         keys.insert(keys.end(), {"contact", "wheel", "control", "travel.start_x_m", "stages.sinkage_s"});
     if (stage == Stage::travel) keys.insert(keys.end(), {"travel", "record"});

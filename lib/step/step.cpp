@@ -13,8 +13,7 @@ void add_disc_forces(const Scene& scene, State& state, Workspace& work, double s
     lap(Phase::pairs);
     add_wall_forces(scene.dem, state, work.dem, spring_step_s);
     lap(Phase::walls);
-    if (scene.has_wheel())
-        add_wheel_contacts(scene.dem, scene.wheel, state, work.dem, work.wheel, spring_step_s);
+    if (scene.has_wheel()) add_wheel_contacts(scene.dem, scene.wheel, state, work.dem, work.wheel, spring_step_s);
     lap(Phase::wheel_contact);
 }
 

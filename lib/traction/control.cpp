@@ -30,8 +30,8 @@ double advance_controlled(ControlScheme scheme, const GainsCase& gains, const Co
 }
 
 double commanded_omega_rad_s(const TravelCase& travel, const WheelCase& wheel) {
-    const double radius = travel.slip_radius == SlipRadius::tread ? wheel.tread_radius_m
-                                                                  : wheel.tread_radius_m + wheel.lug_height_m;
+    const double radius =
+        travel.slip_radius == SlipRadius::tread ? wheel.tread_radius_m : wheel.tread_radius_m + wheel.lug_height_m;
     return travel.speed_m_s / (radius * (1.0 - travel.slip_percent / 100.0));
 }
 

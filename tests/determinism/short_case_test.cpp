@@ -1,5 +1,8 @@
-// The short case through the program itself: one hash for threads and vector widths, for interrupted and uninterrupted runs.
+// The short case through the program itself: one hash for threads and vector widths, for interrupted and uninterrupted
+// runs.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -9,9 +12,6 @@
 #include <sstream>
 #include <string>
 #include <thread>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace {
 
@@ -43,8 +43,7 @@ std::string golden_hash(const std::string& name) {
 class ShortCase : public testing::Test {
 protected:
     void SetUp() override {
-        root_ = fs::temp_directory_path() /
-                (std::string("ifedem-short-") + std::to_string(getpid()));
+        root_ = fs::temp_directory_path() / (std::string("ifedem-short-") + std::to_string(getpid()));
         fs::create_directories(root_);
     }
     void TearDown() override { fs::remove_all(root_); }
@@ -69,8 +68,9 @@ protected:
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
     std::vector<std::string> run_arguments(const std::string& name, const std::vector<std::string>& more = {}) {
-        std::vector<std::string> a = {"run", source + "/reproductions/chapter3/cases/short.toml", "-o",
-                                      (root_ / name).string(), "--stages", (root_ / (name + "-stages")).string(),
+        std::vector<std::string> a = {"run",      source + "/reproductions/chapter3/cases/short.toml",
+                                      "-o",       (root_ / name).string(),
+                                      "--stages", (root_ / (name + "-stages")).string(),
                                       "--quiet"};
         a.insert(a.end(), more.begin(), more.end());
         return a;
@@ -91,7 +91,8 @@ TEST_F(ShortCase, HasTheSameBitsForTwoThreadsAndScalarCode) {
     EXPECT_EQ(run_value(root_ / "scalar", "state_hash"), golden_hash("short"));
 }
 
-/// SIGTERM leaves a checkpoint and exit 143, SIGKILL leaves whatever the last checkpoint was; both resume to the same end.
+/// SIGTERM leaves a checkpoint and exit 143, SIGKILL leaves whatever the last checkpoint was; both resume to the same
+/// end.
 TEST_F(ShortCase, ResumesToTheSameEnd) {
     for (const int signal : {SIGTERM, SIGKILL}) {
         const std::string name = signal == SIGTERM ? "terminated" : "killed";

@@ -1,13 +1,13 @@
-// Runs that must stop by themselves: exit 3, the step, the body, the value, the limit and a remedy; and one that must not.
+// Runs that must stop by themselves: exit 3, the step, the body, the value, the limit and a remedy; and one that must
+// not.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <string>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace {
 
@@ -59,12 +59,14 @@ TEST(Health, StopsAnOverloadedWheel) {
 }
 
 TEST(Health, StopsAWheelThatItsControllerLost) {
-    expect_stop("--set control.drawbar.proportional_N_m=0 --set control.drawbar.integral_N_m_s=0"
-                " --set control.drawbar.derivative_N_s_m=0 --set health.drawbar_error_limit_m=0.005",
-                "the hub is too far from its target");
-    expect_stop("--set control.torque.proportional_Nm_rad=0 --set control.torque.integral_Nm_rad_s=0"
-                " --set control.torque.derivative_Nm_s_rad=0 --set health.torque_error_limit_rad=0.05",
-                "the rim's angle is too far from its target");
+    expect_stop(
+        "--set control.drawbar.proportional_N_m=0 --set control.drawbar.integral_N_m_s=0"
+        " --set control.drawbar.derivative_N_s_m=0 --set health.drawbar_error_limit_m=0.005",
+        "the hub is too far from its target");
+    expect_stop(
+        "--set control.torque.proportional_Nm_rad=0 --set control.torque.integral_Nm_rad_s=0"
+        " --set control.torque.derivative_Nm_s_rad=0 --set health.torque_error_limit_rad=0.05",
+        "the rim's angle is too far from its target");
 }
 
 TEST(Health, StopsTooDeepAnOverlap) { expect_stop("--set health.overlap_limit=0.001", "overlap"); }
