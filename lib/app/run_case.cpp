@@ -185,11 +185,14 @@ void write_pictures(const LiveRun& run) {
     Workspace work = make_workspace(scene, state);
     const Frame frame = take_frame(scene, state, work);
     const Vec2 hub = frame.hub_position_m;
+    constexpr int width_px = 1100;  // sharp on a page, and a report of a chapter stays small
     SnapshotOptions near;
+    near.width_px = width_px;
     near.x_min_m = hub.x - 0.35, near.x_max_m = hub.x + 0.25;
     near.y_min_m = 0, near.y_max_m = hub.y + 0.2;
     write_snapshot_png(run.request.directory + "/snapshot.png", frame, scene.wheel.mesh.mesh, near);
     SnapshotOptions far;
+    far.width_px = width_px;
     far.x_max_m = run.c.bed.length_m, far.y_max_m = hub.y + 0.2;
     far.colour = DiscColour::pressure;
     write_snapshot_png(run.request.directory + "/snapshot_bed.png", frame, scene.wheel.mesh.mesh, far);

@@ -143,7 +143,7 @@ TEST(BadInput, ValuesOutOfRangeAreNamedWithTheirRange) {
 TEST(BadInput, KeysThatDoNotFitTogetherAreNamed) {
     expect_faults({
         {"soil.radii_m = [0.002]", "c:1:16: soil.radii_m has 1 numbers and soil.radii_shares 3"},
-        {"[wheel]\nrim_radius_m = 0.13", "c:2:16: the rim leaves no room for the intermediate layer"},
+        {"[wheel]\nrim_radius_m = 0.1302", "c:2:16: the rim leaves no room for the intermediate layer"},
         {"[wheel]\nsurface_thickness_m = 0.06", "c:2:23: the rim leaves no room for the intermediate layer"},
         {"wheel.lug_pairs = 30", "c:1:19: the lug pairs do not fit round the tread"},
         {"wheel.intermediate_rings = 1000\nwheel.gap_columns = 1000", "c:2:21: the wheel would have 1.21e+07 elements"},

@@ -30,6 +30,8 @@ constexpr double step_s = 0.25;
 Case small_case() {
     Case c;
     c.time_step_s = step_s;
+    c.record.series_interval_s = c.record.frame_interval_s = c.record.checkpoint_interval_s = step_s;
+    c.record.energy_interval_s = step_s;
     c.bed.disc_count = 50;
     return c;
 }
