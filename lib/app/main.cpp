@@ -8,6 +8,7 @@
 #include <map>
 
 #include "app/metrics_table.hpp"
+#include "app/picture.hpp"
 #include "app/run_case.hpp"
 #include "app/run_info.hpp"
 #include "app/stiffness.hpp"
@@ -96,6 +97,19 @@ void add_check_and_report(CLI::App& app, CheckArguments& a, int& code) {
     report->callback([&] { write_report(a.report); });
 }
 
+struct PictureArguments {
+    std::string run, output;
+    long frame = -1;
+};
+
+void add_picture(CLI::App& app, PictureArguments& a) {
+    auto* picture = app.add_subcommand("picture", "draw a recorded frame as PNG");
+    picture->add_option("run", a.run, "run directory")->required();
+    picture->add_option("-o,--output", a.output, "directory for the pictures")->required();
+    picture->add_option("--frame", a.frame, "number of the frame, from 0; -1 for the last");
+    picture->callback([&] { draw_pictures(a.run, a.output, a.frame); });
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app{"ifedem: finite-element wheels on discrete-element soil, in two dimensions"};
     app.require_subcommand(1);
@@ -111,6 +125,8 @@ int run_program(int argc, char** argv) {
     add_stage(app, stage, stage_sets, code);
     add_resume(app, resume, code);
     add_check_and_report(app, check, code);
+    PictureArguments picture;
+    add_picture(app, picture);
     app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
     auto* press = app.add_subcommand("stiffness", "radial stiffness of wheels on a rigid plane");
     press->add_option("cases", stiffness.case_paths, "case files")->required();

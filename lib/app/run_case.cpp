@@ -12,13 +12,13 @@
 #include <memory>
 #include <optional>
 
+#include "app/picture.hpp"
 #include "app/progress_line.hpp"
 #include "app/run_info.hpp"
 #include "core/hash.hpp"
 #include "dem/bed.hpp"
 #include "record/checkpoint.hpp"
 #include "record/results.hpp"
-#include "record/snapshot.hpp"
 #include "step/energy.hpp"
 #include "step/fields.hpp"
 #include "step/health.hpp"
@@ -179,25 +179,6 @@ State find_beginning(const LiveRun& run, Stage& next) {
     return make_initial_state(run.c);
 }
 
-void write_pictures(const LiveRun& run) {
-    const Scene scene = make_scene(run.c, Stage::travel);
-    State state = run.state;
-    Workspace work = make_workspace(scene, state);
-    const Frame frame = take_frame(scene, state, work);
-    const Vec2 hub = frame.hub_position_m;
-    constexpr int width_px = 1100;  // sharp on a page, and a report of a chapter stays small
-    SnapshotOptions near;
-    near.width_px = width_px;
-    near.x_min_m = hub.x - 0.35, near.x_max_m = hub.x + 0.25;
-    near.y_min_m = 0, near.y_max_m = hub.y + 0.2;
-    write_snapshot_png(run.request.directory + "/snapshot.png", frame, scene.wheel.mesh.mesh, near);
-    SnapshotOptions far;
-    far.width_px = width_px;
-    far.x_max_m = run.c.bed.length_m, far.y_max_m = hub.y + 0.2;
-    far.colour = DiscColour::pressure;
-    write_snapshot_png(run.request.directory + "/snapshot_bed.png", frame, scene.wheel.mesh.mesh, far);
-}
-
 double cpu_seconds() {
     timespec t{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -222,7 +203,7 @@ int finish(LiveRun& run, double cpu_s, double wall_s) {
             for (const RunValue& v : read_values(stage_directory(run, s) + "/stage.csv"))
                 values.push_back({std::string(stage_name(s)) + "_" + v.name, v.value, v.unit});
         write_file_atomically(run.request.directory + "/run.csv", to_csv(values));
-        write_pictures(run);
+        draw_pictures(run.request.directory, run.request.directory, -1);
         std::error_code ignored;
         fs::remove(checkpoint_path(run), ignored);  // the run is whole: nothing is left to go on from
     }
