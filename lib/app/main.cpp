@@ -40,7 +40,7 @@ void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets,
         "--force", [&] { request.existing = Existing::replace; }, "replace an existing directory");
     run->add_flag_callback(
         "--quiet", [&] { request.show = Show::nothing; }, "no progress");
-    run->add_flag("--profile", request.profile, "print the share of each phase");
+    run->add_flag("--profile", request.profile, "print the CPU time of each phase of the step (of the first thread)");
     run->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
         code = run_case(request);

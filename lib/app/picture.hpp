@@ -3,8 +3,9 @@
 
 namespace ifedem {
 
-/// Draws a recorded frame of a run directory again: snapshot.png near the wheel, coloured by speed, and snapshot_bed.png of
-/// the whole bin, coloured by pressure. `frame` counts from 0; −1 is the last one. Throws Error(io).
+/// Draws a recorded frame of a run directory again: snapshot.png near the wheel, coloured by speed, and
+/// snapshot_bed.png of the whole bin, coloured by pressure. `frame` counts from 0; −1 is the last one. Throws
+/// Error(io).
 void draw_pictures(const std::string& run_directory, const std::string& out_directory, long frame);
 
 }  // namespace ifedem

@@ -86,6 +86,7 @@ struct LiveRun {
     std::uint64_t steps_made = 0;
     std::vector<RunValue> facts;
     std::optional<Violation> violation;
+    Profile profile;
 };
 
 std::string checkpoint_path(const LiveRun& run) { return run.request.directory + "/checkpoint.h5"; }
@@ -113,12 +114,21 @@ std::string progress_note(const State& state) {
                        1e3 * (state.wheel.rim.position_m.y - state.touch_position_m.y));
 }
 
+/// Hands the profile of a stage back to the run, however the stage ends.
+struct KeepProfile {
+    const Profile& from;
+    Profile& to;
+    ~KeepProfile() { to = from; }
+};
+
 /// Steps through one stage. False: stopped by a signal or a health check.
 bool run_stage(LiveRun& run, Stage stage) {
     const Scene scene = make_scene(run.c, stage);
     if (run.state.progress.stage != stage || run.state.progress.total_steps == 0 || run.state.progress.step == 0)
         begin_stage(scene, run.state);
     Workspace work = make_workspace(scene, run.state);
+    work.profile = run.profile;
+    const KeepProfile keep{work.profile, run.profile};
     State& state = run.state;
     const double dt = scene.dem.step_s;
     const std::uint64_t last = steps_of_stage(run.c, stage);
@@ -185,6 +195,16 @@ double cpu_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+void print_profile(const Profile& profile, double cpu_s) {
+    double steps_s = 0;
+    for (const double s : profile.seconds) steps_s += s;
+    for (std::size_t p = 0; p < profile.seconds.size(); ++p)
+        fmt::print("profile: {:<18} {:8.2f} s {:5.1f} %\n", phase_name[p], profile.seconds[p],
+                   100 * profile.seconds[p] / cpu_s);
+    fmt::print("profile: {:<18} {:8.2f} s {:5.1f} %\n", "records and checks", cpu_s - steps_s,
+               100 * (cpu_s - steps_s) / cpu_s);
+}
+
 int finish(LiveRun& run, double cpu_s, double wall_s) {
     const std::string hash = to_hex(hash_state(run.state));
     const double particles = static_cast<double>(run.state.discs.disc.size());
@@ -210,6 +230,7 @@ int finish(LiveRun& run, double cpu_s, double wall_s) {
     fmt::print("state-hash: {}\n", hash);
     fmt::print("performance: steps={} particles={:.0f} cpu_s={:.2f} wall_s={:.2f} ns_per_particle_step={:.2f}\n",
                run.steps_made, particles, cpu_s, wall_s, ns);
+    if (run.profile.on) print_profile(run.profile, cpu_s);
     return static_cast<int>(ExitCode::done);
 }
 
@@ -217,6 +238,7 @@ int go_through_stages(LiveRun& run, Stage first) {
     const double cpu0 = cpu_seconds();
     const auto wall0 = std::chrono::steady_clock::now();
     omp_set_num_threads(run.request.threads);
+    run.profile.on = run.request.profile;
     signal_seen = 0;
     std::signal(SIGTERM, note_signal);
     std::signal(SIGINT, note_signal);

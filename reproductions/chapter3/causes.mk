@@ -14,7 +14,7 @@ RIM      := rim-rigid-r1 rim-elastic-r1 rim-rigid-r2 rim-elastic-r2
 BODY     := wheel-rigid-r1 wheel-rigid-r2 wheel-rigid-rim-r1 wheel-rigid-rim-r2
 # 4: damping against the absolute velocity, as Eq 2.3 has it; 7: half chord
 OTHER    := absolute-r1 absolute-r2 half-chord-r1 half-chord-r2
-RUNS     := $(LAYER) $(RIM) $(BODY) $(OTHER)
+RUNS     := $(RIM) $(LAYER) $(BODY) $(OTHER)
 
 damp = $(foreach p,rim intermediate surface lug,--set wheel.$(p).damping_1_s=$(1))
 seed = --set bed.seed=$(patsubst r%,%,$(lastword $(subst -, ,$(1)))) \
