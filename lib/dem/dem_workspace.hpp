@@ -46,7 +46,8 @@ struct DemWorkspace {
     std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
     std::vector<double> spin_per_moment;    ///< per disc: Δt/I, I = m r²/2
     std::vector<std::uint32_t> position_of_id;
-    std::vector<WallCandidate> wall;  ///< as State::wall_contacts, with positions
+    std::vector<WallCandidate> wall;        ///< as State::wall_contacts, with positions
+    std::vector<std::uint8_t> block_moved;  ///< per block: a disc has left its inner skin
     bool refresh_inner = true;
     bool rebuild_outer = true;
     std::uint64_t rebuilds = 0, refreshes = 0;  ///< for the account of costs only

@@ -8,6 +8,8 @@
 namespace ifedem {
 namespace {
 
+constexpr double squared(double a) { return a * a; }
+
 /// One block's pairs in list order; forces go to the block's own slots.
 void add_block_pairs(const DemConstants& k, const Block& block, const DiscState& discs, std::vector<double>& spring,
                      DemWorkspace& work, double spring_step_s) {
@@ -103,10 +105,12 @@ double apply_rolling(RollingScheme rolling, double omega_free_rad_s, double omeg
     return omega_free_rad_s < 0 ? -slower : slower;
 }
 
-void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work) {
+void integrate_symplectic(const DemConstants& k, State& state, DemWorkspace& work) {
     const auto blocks = static_cast<std::int64_t>(work.block.size());
     const double dt = k.step_s, fall = dt * k.gravity_m_s2;
+    const double limit2 = squared(0.5 * inner_skin_m);
     const RollingScheme rolling = k.rolling;
+    work.block_moved.assign(work.block.size(), 0);
 #pragma omp parallel for schedule(static)
     for (std::int64_t n = 0; n < blocks; ++n) {
         const Block& block = work.block[static_cast<std::size_t>(n)];
@@ -114,6 +118,8 @@ void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspac
             work.force.data() + block.force_begin;  // a block's own slots come first, in disc order
         Disc* disc = state.discs.disc.data();
         const double* spin_per_moment = work.spin_per_moment.data();
+        const Vec2* reference = state.pairs.inner_reference_m.data();
+        bool moved = false;
         for (std::uint32_t p = block.disc_begin; p < block.disc_end; ++p, ++force) {
             Disc& d = disc[p];
             const double impulse = dt * d.inverse_mass_1_kg, spin = spin_per_moment[p];
@@ -124,7 +130,10 @@ void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspac
             d.x_m += dt * d.vx_m_s;
             d.y_m += dt * d.vy_m_s;
             d.angle_rad += dt * d.omega_rad_s;
+            // The search for discs that have left their skin rides along; watch_movement() then says which list is due.
+            moved |= !(squared(d.x_m - reference[p].x) + squared(d.y_m - reference[p].y) <= limit2);
         }
+        work.block_moved[static_cast<std::size_t>(n)] = moved ? 1 : 0;
     }
 }
 

@@ -36,7 +36,8 @@ struct WallSide {
 [[nodiscard]] WallSide find_wall_side(const DemConstants& k, std::uint32_t wall, const Disc& d);
 
 /// Advances velocities and positions by the symplectic Euler rule v += a Δt, x += v Δt (v stands at half steps).
-void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work);
+/// Notes in work.block_moved which blocks have a disc that left its inner skin.
+void integrate_symplectic(const DemConstants& k, State& state, DemWorkspace& work);
 
 /// Angular velocity after a step whose other moments alone would give `omega_free`, with rolling resistance (Eq 2.18):
 /// as a limit it can stop but never reverse the rotation.

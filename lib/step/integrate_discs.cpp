@@ -43,7 +43,7 @@ void for_each_disc(State& state, const DemWorkspace& work, F&& visit) {
 
 }  // namespace
 
-void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work) {
+void integrate_discs(const Scene& scene, State& state, DemWorkspace& work) {
     const DemConstants& k = scene.dem;
     const double dt = k.step_s;
     switch (scene.c.integrator) {

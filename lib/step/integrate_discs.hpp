@@ -16,7 +16,7 @@ namespace ifedem {
 // from the corrected values; the tangential springs advance in the second one only.
 
 /// After the forces of `work`: the whole step, or for two evaluations the prediction.
-void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work);
+void integrate_discs(const Scene& scene, State& state, DemWorkspace& work);
 
 /// Two evaluations: after the second forces, the correction.
 void correct_discs(const Scene& scene, State& state, const DemWorkspace& work);

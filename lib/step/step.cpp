@@ -1,5 +1,7 @@
 #include "step/step.hpp"
 
+#include <algorithm>
+
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "step/integrate_discs.hpp"
@@ -40,7 +42,9 @@ void step(const Scene& scene, State& state, Workspace& work) {
         correct_discs(scene, state, work.dem);
         lap(Phase::discs);
     }
-    watch_movement(state, work.dem);
+    if (scene.c.integrator != Integrator::symplectic_euler ||
+        std::find(work.dem.block_moved.begin(), work.dem.block_moved.end(), 1) != work.dem.block_moved.end())
+        watch_movement(state, work.dem);
     lap(Phase::watch);
     ++state.progress.step;
     ++state.progress.total_steps;
