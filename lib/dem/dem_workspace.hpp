@@ -44,6 +44,7 @@ struct DemWorkspace {
     std::vector<Merge> merge;
     std::vector<DiscForce> force;           ///< all blocks' slots
     std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
+    std::vector<double> outer_damping_Ns_m;     ///< as State's outer pairs
     std::vector<double> spin_per_moment;    ///< per disc: Δt/I, I = m r²/2
     std::vector<std::uint32_t> position_of_id;
     std::vector<WallCandidate> wall;        ///< as State::wall_contacts, with positions

@@ -229,15 +229,14 @@ void unpack_walls(const State& state, DemWorkspace& work) {
     for (const BoundaryContact& c : state.wall_contacts) work.wall.push_back({work.position_of_id[c.disc], c.surface});
 }
 
-void unpack_pairs(const DemConstants& k, const State& state, DemWorkspace& work) {
+void unpack_pairs(const State& state, DemWorkspace& work) {
     const auto& p = state.pairs;
-    const auto& disc = state.discs.disc;
     const std::size_t n_pairs = p.inner.size();
     work.i.resize(n_pairs), work.j.resize(n_pairs), work.damping_Ns_m.resize(n_pairs);
     for (std::size_t n = 0; n < n_pairs; ++n) {
-        work.i[n] = p.i[p.inner[n]], work.j[n] = p.j[p.inner[n]];
-        const double reduced = 1.0 / (disc[work.i[n]].inverse_mass_1_kg + disc[work.j[n]].inverse_mass_1_kg);
-        work.damping_Ns_m[n] = dashpot_Ns_m(k.damping_ratio, k.soil.normal_stiffness_N_m, reduced);
+        const std::uint32_t outer = p.inner[n];
+        work.i[n] = p.i[outer], work.j[n] = p.j[outer];
+        work.damping_Ns_m[n] = work.outer_damping_Ns_m[outer];
     }
 }
 
@@ -285,15 +284,22 @@ void lay_out_blocks(const State& state, DemWorkspace& work) {
     }
 }
 
-void note_inertias(const DemConstants& k, const State& state, DemWorkspace& work) {
+/// What depends on masses and radii alone: renewed when the outer list is.
+void note_constants(const DemConstants& k, const State& state, DemWorkspace& work) {
+    const auto& disc = state.discs.disc;
+    const auto& p = state.pairs;
     work.spin_per_moment.clear();
-    for (const Disc& d : state.discs.disc)
+    for (const Disc& d : disc)
         work.spin_per_moment.push_back(2.0 * (k.step_s * d.inverse_mass_1_kg) / (d.radius_m * d.radius_m));
+    work.outer_damping_Ns_m.resize(p.i.size());
+    for (std::size_t n = 0; n < p.i.size(); ++n) {
+        const double reduced = 1.0 / (disc[p.i[n]].inverse_mass_1_kg + disc[p.j[n]].inverse_mass_1_kg);
+        work.outer_damping_Ns_m[n] = dashpot_Ns_m(k.damping_ratio, k.soil.normal_stiffness_N_m, reduced);
+    }
 }
 
-void unpack(const DemConstants& k, const State& state, DemWorkspace& work) {
-    note_inertias(k, state, work);
-    unpack_pairs(k, state, work);
+void unpack(const State& state, DemWorkspace& work) {
+    unpack_pairs(state, work);
     unpack_walls(state, work);
     lay_out_blocks(state, work);
 }
@@ -302,10 +308,13 @@ void unpack(const DemConstants& k, const State& state, DemWorkspace& work) {
 
 void update_lists(const DemConstants& k, State& state, DemWorkspace& work) {
     if (!work.rebuild_outer && !work.refresh_inner) return;
-    if (work.rebuild_outer) rebuild_outer_list(k, state, work);
+    if (work.rebuild_outer) {
+        rebuild_outer_list(k, state, work);
+        note_constants(k, state, work);
+    }
     refresh_inner_list(state, work);
     refresh_wall_contacts(k, state, work);
-    unpack(k, state, work);
+    unpack(state, work);
     work.rebuild_outer = work.refresh_inner = false;
 }
 
@@ -314,7 +323,8 @@ void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
     note_ids(state, work);
     work.rebuild_outer = work.refresh_inner = state.pairs.reference_m.empty();
     if (work.rebuild_outer) return;
-    unpack(k, state, work);
+    note_constants(k, state, work);
+    unpack(state, work);
     watch_movement(state, work);
 }
 
