@@ -39,6 +39,7 @@ struct WheelWorkspace {
     bool search = true;
     std::vector<Segment> segment;
     std::vector<Vec2> contact_force_N;  ///< per node: reaction of the soil
+    BodyForce damping_on_body;          ///< on the rigid part
     std::vector<Vec2> force_N;          ///< per node: everything
     std::vector<WheelContact> contact;  ///< this step's contacts, in order
     std::vector<BoundaryContact> next;  ///< scratch: next step's springs

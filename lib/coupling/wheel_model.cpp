@@ -59,17 +59,23 @@ double effective_radius_m(const WheelModel& model, const WheelState& wheel) {
 }
 
 RigidMotion damping_frame(const WheelModel& model, const WheelState& wheel) {
-    double weight = 0, inertia = 0, moment = 0;
-    RigidMotion f;
+    // The rigid part counts with its own c, mass and inertia, just as its elements would.
+    const RigidBody& rim = wheel.rim;
+    double weight = model.body_damping_1_s * model.body_mass_kg;
+    RigidMotion f{weight * rim.position_m, weight * rim.velocity_m_s, 0.0};
     for (const std::uint32_t n : model.free_node) {
         const double c = model.elements.damping_kg_s[n];
         weight += c;
         f.centre_m += c * wheel.position_m[n];
         f.velocity_m_s += c * wheel.velocity_m_s[n];
     }
-    if (weight <= 0) return f;
+    if (weight <= 0) return RigidMotion{};
     f.centre_m = (1.0 / weight) * f.centre_m;
     f.velocity_m_s = (1.0 / weight) * f.velocity_m_s;
+    const Vec2 arm = rim.position_m - f.centre_m;
+    double inertia = model.body_damping_1_s * (model.body_inertia_kg_m2 + model.body_mass_kg * dot(arm, arm));
+    double moment = model.body_damping_1_s *
+                    (model.body_inertia_kg_m2 * rim.omega_rad_s + model.body_mass_kg * cross(arm, rim.velocity_m_s));
     for (const std::uint32_t n : model.free_node) {
         const double c = model.elements.damping_kg_s[n];
         const Vec2 r = wheel.position_m[n] - f.centre_m;
@@ -80,13 +86,19 @@ RigidMotion damping_frame(const WheelModel& model, const WheelState& wheel) {
     return f;
 }
 
-void add_damping_forces(const WheelModel& model, const WheelState& wheel, std::vector<Vec2>& force_N) {
-    if (model.damping_frame == DampingFrame::absolute || model.free_node.empty()) return;
+BodyForce add_damping_forces(const WheelModel& model, const WheelState& wheel, std::vector<Vec2>& force_N) {
+    BodyForce on_body;
+    if (model.damping_frame == DampingFrame::absolute || model.free_node.empty()) return on_body;
     const RigidMotion f = damping_frame(model, wheel);
     for (const std::uint32_t n : model.free_node) {
         const Vec2 rigid = f.velocity_m_s + cross(f.omega_rad_s, wheel.position_m[n] - f.centre_m);
         force_N[n] -= model.elements.damping_kg_s[n] * (wheel.velocity_m_s[n] - rigid);
     }
+    const RigidBody& rim = wheel.rim;
+    const Vec2 rigid = f.velocity_m_s + cross(f.omega_rad_s, rim.position_m - f.centre_m);
+    on_body.force_N -= model.body_damping_1_s * model.body_mass_kg * (rim.velocity_m_s - rigid);
+    on_body.moment_Nm -= model.body_damping_1_s * model.body_inertia_kg_m2 * (rim.omega_rad_s - f.omega_rad_s);
+    return on_body;
 }
 
 }  // namespace ifedem

@@ -42,10 +42,10 @@ struct DemWorkspace {
     std::vector<std::uint32_t> slot_i, slot_j;  ///< force slots
     std::vector<double> damping_Ns_m;
     std::vector<Merge> merge;
-    std::vector<DiscForce> force;           ///< all blocks' slots
-    std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
-    std::vector<double> outer_damping_Ns_m;     ///< as State's outer pairs
-    std::vector<double> spin_per_moment;    ///< per disc: Δt/I, I = m r²/2
+    std::vector<DiscForce> force;            ///< all blocks' slots
+    std::vector<std::uint32_t> force_slot;   ///< per disc: its own slot
+    std::vector<double> outer_damping_Ns_m;  ///< as State's outer pairs
+    std::vector<double> spin_per_moment;     ///< per disc: Δt/I, I = m r²/2
     std::vector<std::uint32_t> position_of_id;
     std::vector<WallCandidate> wall;        ///< as State::wall_contacts, with positions
     std::vector<std::uint8_t> block_moved;  ///< per block: a disc has left its inner skin

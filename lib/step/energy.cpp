@@ -118,6 +118,14 @@ void add_wheel_losses(const Scene& scene, const std::vector<Disc>& before, const
                           cross(frame.omega_rad_s, wheel_before.position_m[n] - frame.centre_m);
         flow.lost_wheel_W += m.elements.damping_kg_s[n] * dot(absolute ? mean_velocity(n) : seen, mean_velocity(n));
     }
+    const Vec2 rim_velocity = 0.5 * (rim0.velocity_m_s + rim1.velocity_m_s);
+    const double rim_omega = 0.5 * (rim0.omega_rad_s + rim1.omega_rad_s);
+    const Vec2 seen =
+        rim0.velocity_m_s - frame.velocity_m_s - cross(frame.omega_rad_s, rim0.position_m - frame.centre_m);
+    flow.lost_wheel_W +=
+        m.body_damping_1_s *
+        (m.body_mass_kg * dot(absolute ? rim_velocity : seen, rim_velocity) +
+         m.body_inertia_kg_m2 * (absolute ? rim_omega : rim0.omega_rad_s - frame.omega_rad_s) * rim_omega);
 }
 
 std::vector<double> springs_of(const std::vector<BoundaryContact>& contacts) {

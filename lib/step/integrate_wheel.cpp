@@ -55,8 +55,8 @@ void advance_rigid_rim(const Scene& scene, State& state, const WheelWorkspace& w
     const ControlCase& control = scene.c.control;
     const double dt = scene.dem.step_s;
     RigidBody& rim = state.wheel.rim;
-    Vec2 force{0, -m.load_N};
-    double moment = 0;
+    Vec2 force = work.damping_on_body.force_N + Vec2{0, -m.load_N};
+    double moment = work.damping_on_body.moment_Nm;
     for (const std::uint32_t n : m.mesh.rigid) {
         force += work.force_N[n];
         moment += cross(state.wheel.position_m[n] - rim.position_m, work.force_N[n]);
@@ -166,7 +166,7 @@ void add_wheel_forces(const Scene& scene, const State& state, WheelWorkspace& wo
     work.force_N = work.contact_force_N;
     if (scene.wheel.free_node.empty()) return;
     add_internal_force(scene.wheel.elements, state.wheel.position_m, work.force_N);
-    add_damping_forces(scene.wheel, state.wheel, work.force_N);
+    work.damping_on_body = add_damping_forces(scene.wheel, state.wheel, work.force_N);
 }
 
 void integrate_wheel(const Scene& scene, State& state, const WheelWorkspace& work) {

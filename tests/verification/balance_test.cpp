@@ -124,9 +124,14 @@ TEST(Damping, relative_to_the_rigid_motion_balances) {
         for (Vec2& v : w.state.wheel.velocity_m_s) v += Vec2{random.uniform() - 0.5, random.uniform() - 0.5};
         for (Vec2& x : w.state.wheel.position_m) x += 1e-3 * Vec2{random.uniform() - 0.5, random.uniform() - 0.5};
         std::vector<Vec2> force(w.state.wheel.position_m.size());
-        add_damping_forces(w.scene.wheel, w.state.wheel, force);
-        Vec2 sum;
-        double moment = 0, size = 0, power = 0;
+        RigidBody& rim = w.state.wheel.rim;
+        rim.velocity_m_s += Vec2{0.3, -0.2};
+        rim.omega_rad_s += 0.5;
+        const BodyForce on_body = add_damping_forces(w.scene.wheel, w.state.wheel, force);
+        Vec2 sum = on_body.force_N;
+        double moment = cross(rim.position_m, on_body.force_N) + on_body.moment_Nm, size = norm(on_body.force_N);
+        double power = dot(on_body.force_N, rim.velocity_m_s) + on_body.moment_Nm * rim.omega_rad_s;
+        if (body == WheelBody::rigid_rim) EXPECT_GT(size, 0);  // the rim is damped too
         for (std::size_t n = 0; n < force.size(); ++n) {
             sum += force[n], moment += cross(w.state.wheel.position_m[n], force[n]), size += norm(force[n]);
             power += dot(force[n], w.state.wheel.velocity_m_s[n]);
