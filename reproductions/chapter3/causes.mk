@@ -9,7 +9,7 @@ DAMPINGS := 0 1 5 20
 SPEEDS   := 0.2 0.1 0.05
 LAYER    := $(foreach d,$(DAMPINGS),$(foreach v,$(SPEEDS),damping$(d)-speed$(v)))
 # 3: the rim, rigid or elastic, at one step that both can take
-RIM      := rim-rigid-r1 rim-elastic-r1 rim-rigid-r2 rim-elastic-r2
+RIM      := $(foreach r,1 2 3 4,rim-rigid-r$(r) rim-elastic-r$(r))
 # Beside them: the whole wheel rigid
 BODY     := wheel-rigid-r1 wheel-rigid-r2 wheel-rigid-rim-r1 wheel-rigid-rim-r2
 # 4: damping against the absolute velocity, as Eq 2.3 has it; 7: half chord
@@ -17,8 +17,12 @@ OTHER    := absolute-r1 absolute-r2 half-chord-r1 half-chord-r2
 RUNS     := $(RIM) $(LAYER) $(BODY) $(OTHER)
 
 damp = $(foreach p,rim intermediate surface lug,--set wheel.$(p).damping_1_s=$(1))
-seed = --set bed.seed=$(patsubst r%,%,$(lastword $(subst -, ,$(1)))) \
-       --set wheel.lug_phase_deg=$(if $(findstring r2,$(1)),18.541,0)
+PHASE_1 := 0
+PHASE_2 := 18.541
+PHASE_3 := 7.082
+PHASE_4 := 25.623
+realisation_of = $(patsubst r%,%,$(lastword $(subst -, ,$(1))))
+seed = --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1)))
 
 sets-damping = $(call damp,$(patsubst damping%,%,$(word 1,$(subst -, ,$(1))))) \
                --set travel.speed_m_s=$(patsubst speed%,%,$(word 2,$(subst -, ,$(1))))
