@@ -124,8 +124,7 @@ struct KeepProfile {
 /// Steps through one stage. False: stopped by a signal or a health check.
 bool run_stage(LiveRun& run, Stage stage) {
     const Scene scene = make_scene(run.c, stage);
-    if (run.state.progress.stage != stage || run.state.progress.total_steps == 0 || run.state.progress.step == 0)
-        begin_stage(scene, run.state);
+    if (run.state.progress.stage != stage || run.state.progress.step == 0) begin_stage(scene, run.state);
     Workspace work = make_workspace(scene, run.state);
     work.profile = run.profile;
     const KeepProfile keep{work.profile, run.profile};

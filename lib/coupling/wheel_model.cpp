@@ -5,19 +5,10 @@
 #include "core/bitmath.hpp"
 
 namespace ifedem {
-namespace {
-
-Material to_material(const MaterialCase& m) { return {m.young_Pa, m.poisson, m.density_kg_m3, m.damping_1_s}; }
-
-}  // namespace
-
 WheelModel make_wheel_model(const WheelCase& wheel) {
     WheelModel m;
     m.mesh = make_wheel_mesh(wheel);
-    m.elements = make_elements(
-        m.mesh.mesh,
-        {to_material(wheel.rim), to_material(wheel.intermediate), to_material(wheel.surface), to_material(wheel.lug)},
-        wheel.width_m, wheel.plane);
+    m.elements = make_elements(m.mesh.mesh, wheel_materials(wheel), wheel.width_m, wheel.plane);
     m.body = wheel.body;
     m.damping_frame = wheel.damping_frame;
     m.load_N = wheel.load_N;
