@@ -12,7 +12,7 @@ void write_metrics(const std::vector<std::string>& run_directories, const std::s
     constexpr double full_travel_m = 0.8;  // what averaging_window() speaks of
     std::string text = "run";
     for (const MetricInfo& m : metric_table()) text += fmt::format(",{}", m.name);
-    text += ",vertical_imbalance_N,drawbar_deviation_N\n";
+    text += ",drawbar_deviation_N\n";
     for (const std::string& directory : run_directories) {
         const Run run = read_run(directory);
         const double scale = run.c.travel.distance_m / full_travel_m;
@@ -20,7 +20,7 @@ void write_metrics(const std::vector<std::string>& run_directories, const std::s
         const RunMetrics metrics = measure(run, {scale * whole.from_m, scale * whole.to_m});
         text += run.name;
         for (const MetricInfo& m : metric_table()) text += fmt::format(",{:.5g}", metrics.*m.member);
-        text += fmt::format(",{:.4g},{:.4g}\n", metrics.vertical_imbalance_N, metrics.drawbar_deviation_N);
+        text += fmt::format(",{:.4g}\n", metrics.drawbar_deviation_N);
     }
     write_file_atomically(out_path, text);
 }

@@ -65,6 +65,7 @@ SeriesRow take_series_row(const Scene& scene, State& state, const Workspace& wor
     row.fx_positive_N = s.fx_positive_N / n;
     row.fx_negative_N = s.fx_negative_N / n;
     row.commanded_omega_rad_s = travel_target(scene.c.travel, scene.c.wheel, row.time_s).omega_clockwise_rad_s;
+    row.vertical_momentum_Ns = momentum_Ns(scene.wheel, state.wheel).y;
     row.ledger = state.energy;
     row.stored_J = measure_energy(scene, state, work).sum_J();
     return row;

@@ -135,7 +135,9 @@ RunMetrics measure(const Run& run, const Window& window) {
     const double omega = mean_or("commanded_omega_rad_s", commanded);
     m.measured_slip_percent = 100 * (1 - speed / (m.effective_radius_m * omega));
     m.horizontal_imbalance_N = m.direct_thrust_N + m.direct_resistance_N - m.net_traction_N;
-    m.vertical_imbalance_N = m.vertical_force_N - run.c.wheel.load_N;
+    if (const auto* momentum = find_column(run, "vertical_momentum_Ns"))
+        m.vertical_inertia_N = (at_time(time, *momentum, to) - at_time(time, *momentum, from)) / (to - from);
+    m.vertical_imbalance_N = m.vertical_force_N - run.c.wheel.load_N - m.vertical_inertia_N;
     for (const auto& [name, values] : run.travel)
         if (name.ends_with("_J")) m.energy_J[name] = at_time(time, values, to) - at_time(time, values, from);
     return m;
@@ -149,7 +151,7 @@ RunMetrics unknown_metrics() {
 }
 
 std::span<const MetricInfo> metric_table() {
-    static constexpr std::array<MetricInfo, 15> table{{
+    static constexpr std::array<MetricInfo, 16> table{{
         {"gross_tractive_effort_N", "N", "H", &RunMetrics::gross_tractive_effort_N},
         {"gross_tractive_effort_instant_N", "N", "⟨T/r_e⟩", &RunMetrics::gross_tractive_effort_instant_N},
         {"gross_tractive_effort_minimum_N", "N", "⟨T⟩/min r_e", &RunMetrics::gross_tractive_effort_minimum_N},
@@ -164,7 +166,8 @@ std::span<const MetricInfo> metric_table() {
         {"deflection_mm", "mm", "δ", &RunMetrics::deflection_mm},
         {"measured_slip_percent", "%", "i", &RunMetrics::measured_slip_percent},
         {"horizontal_imbalance_N", "N", "ΣF_x − P_d", &RunMetrics::horizontal_imbalance_N},
-        {"vertical_imbalance_N", "N", "ΣF_y − W", &RunMetrics::vertical_imbalance_N},
+        {"vertical_inertia_N", "N", "ṗ_y", &RunMetrics::vertical_inertia_N},
+        {"vertical_imbalance_N", "N", "ΣF_y − W − ṗ_y", &RunMetrics::vertical_imbalance_N},
     }};
     return table;
 }

@@ -47,7 +47,8 @@ struct RunMetrics {
     double deflection_mm = 0;                ///< tread radius − ⟨r_e⟩ (section 3.3.2)
     double measured_slip_percent = 0;        ///< 1 − ⟨V⟩/(⟨r_e⟩⟨ω⟩)
     double horizontal_imbalance_N = 0;       ///< ⟨Σ F_x⟩ − ⟨P_d⟩: 0 for a wheel that does not accelerate
-    double vertical_imbalance_N = 0;         ///< ⟨Σ F_y⟩ − W
+    double vertical_inertia_N = 0;           ///< growth of the wheel's vertical momentum / time; 0 if not recorded
+    double vertical_imbalance_N = 0;         ///< ⟨Σ F_y⟩ − W − inertia: 0 for every window
     double drawbar_deviation_N = 0;          ///< standard deviation of P within the window
     std::map<std::string, double> energy_J;  ///< growth of each column of the series that ends in _J, over the window
 };

@@ -59,8 +59,8 @@ Table momentum_table(const Campaign& campaign) {
     Table t;
     t.caption = "Momentum over the averaging window: what the soil does to the wheel against what holds it";
     t.style = "wide";
-    t.header = {"Run",      "ΣF_x [N]", "P_d [N]",      "ΣF_x − P_d [N]",
-                "ΣF_y [N]", "W [N]",    "ΣF_y − W [N]", "(ΣF_y − W)/W [%]"};
+    t.header = {"Run",   "ΣF_x [N]",          "P_d [N]",  "ΣF_x − P_d [N]",  "ΣF_y [N]",
+                "W [N]", "ΔF = ΣF_y − W [N]", "ΔF/W [%]", "wheel's ṗ_y [N]", "(ΔF − ṗ_y)/W [%]"};
     for (const auto& run : campaign.runs) {
         const auto& m = run.metrics;
         const double load = run.condition.load_N;
@@ -70,7 +70,9 @@ Table momentum_table(const Campaign& campaign) {
                           {number_or_dash(m.horizontal_imbalance_N, 2), "num"},
                           {number_or_dash(m.vertical_force_N, 2), "num"},
                           {fmt::format("{:g}", load), "num"},
-                          {number_or_dash(m.vertical_imbalance_N, 2), "num"},
+                          {number_or_dash(m.vertical_force_N - load, 2), "num"},
+                          {number_or_dash(100 * (m.vertical_force_N - load) / load, 2), "num"},
+                          {number_or_dash(m.vertical_inertia_N, 2), "num"},
                           {number_or_dash(100 * m.vertical_imbalance_N / load, 2), "num"}});
     }
     return t;

@@ -139,9 +139,7 @@ void apply_touch(const DemConstants& k, const WheelModel& model, const WheelStat
     const Vec2 surface_velocity = (1.0 - touch.share) * wheel.velocity_m_s[a] + touch.share * wheel.velocity_m_s[b];
     const BoundaryForce f = boundary_force(k.wheel, k.damping_ratio, d, Vec2{0, 0} - touch.outward, touch.distance_m,
                                            0.0, surface_velocity, spring, spring_step_s);
-    DiscForce& to = dem.force[dem.force_slot[position]];
-    to.x_N += f.force_N.x, to.y_N += f.force_N.y;
-    to.moment_Nm += f.moment_Nm, to.rolling_limit_Nm += f.rolling_limit_Nm;
+    dem.wheel_force.push_back({position, f.on_disc()});
     work.contact_force_N[a] -= (1.0 - touch.share) * f.force_N;
     work.contact_force_N[b] -= touch.share * f.force_N;
     work.next.push_back({id, touch.segment, f.tangential_spring_m});
@@ -161,6 +159,7 @@ void add_wheel_contacts(const DemConstants& k, const WheelModel& model, State& s
     work.contact_force_N.assign(state.wheel.position_m.size(), Vec2{});
     work.contact.clear();
     work.next.clear();
+    dem.wheel_force.clear();
     work.largest_overlap_share = 0;
     const auto& old = state.wheel_contacts;
     std::vector<Touch> touches;

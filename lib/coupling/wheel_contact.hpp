@@ -51,8 +51,8 @@ struct WheelWorkspace {
 /// nothing.
 inline constexpr double wheel_skin_m = 2e-3;
 
-/// Contact forces between discs and the wheel's boundary (section 2.5): added to the discs' slots and, shared by the
-/// segment's shape functions, to work.contact_force_N (which is cleared first). Advances the tangential springs.
+/// Contact forces between discs and the wheel's boundary (section 2.5): for the discs in dem.wheel_force and, shared by
+/// the segment's shape functions, in work.contact_force_N (both cleared first). Advances the tangential springs.
 ///
 /// A disc touches a segment where its centre projects onto it, or the corner that the segment starts from where it
 /// projects beyond both neighbours of a convex corner: one contact a corner, owned by one segment, and the force is

@@ -92,4 +92,10 @@ BodyForce add_damping_forces(const WheelModel& model, const WheelState& wheel, s
     return on_body;
 }
 
+Vec2 momentum_Ns(const WheelModel& model, const WheelState& wheel) {
+    Vec2 p = model.body_mass_kg * wheel.rim.velocity_m_s;
+    for (const std::uint32_t n : model.free_node) p += model.elements.mass_kg[n] * wheel.velocity_m_s[n];
+    return p;
+}
+
 }  // namespace ifedem

@@ -28,6 +28,9 @@ struct WheelModel {
 /// The wheel at rest with its hub at `hub_m`.
 [[nodiscard]] WheelState place_wheel(const WheelModel& model, Vec2 hub_m);
 
+/// Linear momentum of the whole wheel.
+[[nodiscard]] Vec2 momentum_Ns(const WheelModel& model, const WheelState& wheel);
+
 /// Centre of rotation: hub node or rim centre.
 [[nodiscard]] inline Vec2 hub_position(const WheelState& wheel) { return wheel.rim.position_m; }
 

@@ -18,7 +18,7 @@ struct ContactConstants {
     double inverse_tangential_stiffness_m_N = 0;
     double friction = 0;
     double damping_ratio_of_ratios = 0;  ///< C_s / C_n = √(K_s / K_n) at one ζ for both directions
-    double rolling_chords = 0;  ///< rolling moment / (half chord × spring force): 2α for the full chord, α for the half
+    double rolling_chords = 0;  ///< rolling moment / (chord × spring force): α for the full chord, α/2 for the half
     double smallest_normal_N = 0;  ///< 0: no attraction; −∞: the dashpot may pull until the overlap ends
 };
 
@@ -30,30 +30,29 @@ struct ContactForces {
     V rolling_limit_Nm;     ///< largest rolling moment, Eq 2.18; always against the disc's own ω
 };
 
-/// Eqs 2.17 and 2.18 for an overlap > 0; out of contact everything, the spring included, is 0.
+/// Eqs 2.17 and 2.18; out of contact (overlap ≤ 0, chord 0) everything, the spring included, is 0.
 /// The spring is held within the Coulomb cap, so that a sliding contact releases its excess at once (the alternative,
 /// an unbounded spring under a capped force, would keep pulling after the sliding has reversed).
 template <class V>
 IFEDEM_INLINE ContactForces<V> contact_forces(const ContactConstants& k, V overlap_m, V approach_m_s, V sliding_m_s,
-                                              V normal_damping_Ns_m, V old_spring_m, V step_s, V half_chord_m) {
+                                              V normal_damping_Ns_m, V old_spring_m, V step_s, V chord_m) {
     const V elastic = k.normal_stiffness_N_m * overlap_m;
-    const V normal = max_of(elastic + normal_damping_Ns_m * approach_m_s, V(k.smallest_normal_N));
+    const V pushing = max_of(elastic + normal_damping_Ns_m * approach_m_s, V(k.smallest_normal_N));
+    const V normal = select_positive(overlap_m, pushing);
     const V cap = k.friction * max_of(normal, V(0.0));
     const V spring_cap = cap * k.inverse_tangential_stiffness_m_N;
     const V spring = max_of(V(0.0) - spring_cap, min_of(spring_cap, old_spring_m + sliding_m_s * step_s));
     const V trial =
         k.tangential_stiffness_N_m * spring + (k.damping_ratio_of_ratios * normal_damping_Ns_m) * sliding_m_s;
     const V tangential = max_of(V(0.0) - cap, min_of(cap, trial));
-    const V rolling = (k.rolling_chords * half_chord_m) * elastic;
-    return {select_positive(overlap_m, normal), select_positive(overlap_m, tangential),
-            select_positive(overlap_m, spring), select_positive(overlap_m, rolling)};
+    return {normal, tangential, spring, (k.rolling_chords * chord_m) * elastic};
 }
 
-/// Squared half chord of two overlapping circles at distance d = r_i + r_j − overlap, times 4d² (exact, no root yet).
+/// Chord of two circles whose centres stand at `distance`, times that distance, squared; ≤ 0 if they do not cross.
 template <class V>
-IFEDEM_INLINE V chord_product(V overlap_m, V radius_i_m, V radius_j_m) {
-    const V twice_sum = 2.0 * (radius_i_m + radius_j_m);
-    return overlap_m * (2.0 * radius_i_m - overlap_m) * (2.0 * radius_j_m - overlap_m) * (twice_sum - overlap_m);
+IFEDEM_INLINE V chord_product(V distance_m, V overlap_m, V radius_i_m, V radius_j_m) {
+    const V difference = radius_i_m - radius_j_m;
+    return (overlap_m * ((radius_i_m + radius_j_m) + distance_m)) * (distance_m * distance_m - difference * difference);
 }
 
 }  // namespace ifedem

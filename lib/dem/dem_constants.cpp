@@ -14,7 +14,7 @@ ContactConstants make_contact(const ContactCase& c, double friction) {
     k.inverse_tangential_stiffness_m_N = 1.0 / c.tangential_stiffness_N_m;
     k.friction = friction;
     k.damping_ratio_of_ratios = std::sqrt(c.tangential_stiffness_N_m / c.normal_stiffness_N_m);
-    k.rolling_chords = c.rolling_factor * (c.rolling_chord == RollingChord::full ? 2.0 : 1.0);
+    k.rolling_chords = c.rolling_factor * (c.rolling_chord == RollingChord::full ? 1.0 : 0.5);
     k.smallest_normal_N = c.contact_end == ContactEnd::no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
     return k;
 }
@@ -43,7 +43,7 @@ DemConstants make_dem_constants(const Case& c, double friction_soil, double fric
     k.wall = make_contact(c.contact, friction_wall);
     k.wheel = make_contact(c.contact, c.contact.friction_wheel);
     k.damping_ratio = c.contact.damping_ratio;
-    k.gravity_m_s2 = c.gravity_m_s2;
+    k.gravity_m_s2 = {0, -c.gravity_m_s2};
     k.step_s = c.time_step_s;
     k.smallest_radius_m = *std::min_element(c.soil.radii_m.begin(), c.soil.radii_m.end());
     k.largest_radius_m = *std::max_element(c.soil.radii_m.begin(), c.soil.radii_m.end());

@@ -9,8 +9,8 @@ namespace ifedem {
 
 // Half-width of the neighbour search beyond touching. They are part of the results: a rebuild of the outer list sorts
 // the discs anew and with them the order of sums. Measured optimum of rebuild cost against list length.
-inline constexpr double outer_skin_m = 1.2e-3;
-inline constexpr double inner_skin_m = 0.2e-3;
+inline constexpr double outer_skin_m = 1.6e-3;
+inline constexpr double inner_skin_m = 0.3e-3;
 /// Discs a block: the unit of parallel work and of summation; never the thread count, so that bits do not depend on it.
 inline constexpr std::size_t discs_per_block = 1024;
 
@@ -32,7 +32,7 @@ struct DemConstants {
     ContactConstants wall;
     ContactConstants wheel;
     double damping_ratio = 0;
-    double gravity_m_s2 = 0;
+    Vec2 gravity_m_s2;
     double step_s = 0;
     double smallest_radius_m = 0;
     double largest_radius_m = 0;

@@ -17,9 +17,13 @@ struct DiscForce {
 /// A range of discs with the pairs that they own (as the lower list position) and the force slots they write to.
 struct Block {
     std::uint32_t disc_begin = 0, disc_end = 0;
+    std::uint32_t outer_begin = 0, outer_end = 0;  ///< into the outer list
     std::uint32_t pair_begin = 0, pair_end = 0;    ///< into the inner list
+    std::uint32_t wall_begin = 0, wall_end = 0;    ///< into the discs near walls
     std::uint32_t force_begin = 0, force_end = 0;  ///< own discs first, then the discs of later blocks that pairs reach
     std::uint32_t merge_begin = 0, merge_end = 0;  ///< into Merge: what earlier blocks hold for this one
+    std::uint32_t first_source = 0;                ///< the first block whose pairs reach into this one, or itself
+    bool moved = false;                            ///< a disc has left its inner skin in this step
 };
 
 /// "Add force slot `slot` to that of this block's disc `target`."
@@ -27,7 +31,13 @@ struct Merge {
     std::uint32_t slot = 0, target = 0;
 };
 
-/// A disc close enough to a wall to touch it before the next refresh.
+/// What the wheel does to a disc.
+struct WheelForce {
+    std::uint32_t position = 0;
+    DiscForce on_disc;
+};
+
+/// A disc close enough to a wall to touch it before the next refresh, or rebuild.
 struct WallCandidate {
     std::uint32_t position = 0;  ///< list position of the disc
     std::uint32_t wall = 0;      ///< flat wall, or wall disc
@@ -42,13 +52,20 @@ struct DemWorkspace {
     std::vector<std::uint32_t> slot_i, slot_j;  ///< force slots
     std::vector<double> damping_Ns_m;
     std::vector<Merge> merge;
-    std::vector<DiscForce> force;            ///< all blocks' slots
-    std::vector<std::uint32_t> force_slot;   ///< per disc: its own slot
-    std::vector<double> outer_damping_Ns_m;  ///< as State's outer pairs
-    std::vector<double> spin_per_moment;     ///< per disc: Δt/I, I = m r²/2
+    std::vector<DiscForce> force;           ///< all blocks' slots
+    std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
+    std::vector<double> spin_per_moment;    ///< per disc: Δt/I, I = m r²/2
     std::vector<std::uint32_t> position_of_id;
-    std::vector<WallCandidate> wall;        ///< as State::wall_contacts, with positions
-    std::vector<std::uint8_t> block_moved;  ///< per block: a disc has left its inner skin
+    std::vector<WallCandidate> wall;      ///< as State::wall_contacts, with positions
+    std::vector<WheelForce> wheel_force;  ///< of this step, sorted by position
+    // As State's outer pairs: what a refresh copies into the arrays above.
+    std::vector<std::uint32_t> outer_slot_i, outer_slot_j;
+    std::vector<double> outer_damping_Ns_m;
+    std::vector<WallCandidate> outer_wall;
+    // Scratch of a refresh.
+    std::vector<std::uint32_t> next_inner;
+    std::vector<double> next_spring_m;
+    std::vector<BoundaryContact> next_wall;
     bool refresh_inner = true;
     bool rebuild_outer = true;
     std::uint64_t rebuilds = 0, refreshes = 0;  ///< for the account of costs only

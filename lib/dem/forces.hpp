@@ -1,16 +1,21 @@
 #pragma once
+#include <functional>
+
 #include "dem/dem_constants.hpp"
 #include "dem/dem_workspace.hpp"
 #include "model/state.hpp"
 
 namespace ifedem {
 
-/// Fills work.force with the forces of all disc–disc contacts and advances their tangential springs by `spring_step_s`
-/// (0 evaluates without advancing). One thread a block at most; the order of every sum is fixed by the lists.
-void add_pair_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s);
+/// What to do with a block whose forces are complete.
+using BlockVisitor = std::function<void(Block&)>;
 
-/// Adds the forces of flat walls or wall discs to the discs' own slots.
-void add_wall_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s);
+/// The forces of all contacts of discs with discs and walls and, from work.wheel_force, with the wheel; tangential
+/// springs advance by `spring_step_s` (0 evaluates without advancing). Calls `finished` for each block as soon as its
+/// sums are complete and no pair still to come reads its discs, while they are in the cache. One thread a block at
+/// most; the order of every sum is fixed by the lists.
+void add_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s,
+                const BlockVisitor& finished);
 
 /// A disc against a body of infinite mass at distance `centre_distance_m` along the unit vector `normal` (from the disc
 /// to the body): force on the disc, its moment and rolling limit, and the new spring.
@@ -21,6 +26,7 @@ struct BoundaryForce {
     double tangential_spring_m = 0;
     double overlap_m = 0;
     double normal_N = 0, tangential_N = 0, arm_m = 0;  ///< for the energy account
+    [[nodiscard]] DiscForce on_disc() const { return {force_N.x, force_N.y, moment_Nm, rolling_limit_Nm}; }
 };
 /// `opposite_radius_m` is 0 for a straight surface. The dashpot takes the disc's mass alone.
 [[nodiscard]] BoundaryForce boundary_force(const ContactConstants& k, double damping_ratio, const Disc& disc,
@@ -34,14 +40,5 @@ struct WallSide {
     double opposite_radius_m = 0;
 };
 [[nodiscard]] WallSide find_wall_side(const DemConstants& k, std::uint32_t wall, const Disc& d);
-
-/// Advances velocities and positions by the symplectic Euler rule v += a Δt, x += v Δt (v stands at half steps).
-/// Notes in work.block_moved which blocks have a disc that left its inner skin.
-void integrate_symplectic(const DemConstants& k, State& state, DemWorkspace& work);
-
-/// Angular velocity after a step whose other moments alone would give `omega_free`, with rolling resistance (Eq 2.18):
-/// as a limit it can stop but never reverse the rotation.
-[[nodiscard]] double apply_rolling(RollingScheme rolling, double omega_free_rad_s, double omega_now_rad_s,
-                                   double largest_change_rad_s);
 
 }  // namespace ifedem

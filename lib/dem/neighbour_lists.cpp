@@ -167,18 +167,36 @@ void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work)
     ++work.rebuilds;
 }
 
+/// Chooses the pairs of the inner list and unpacks them for the pair loop; springs are carried over. Both lists ascend,
+/// so one walk along the outer one does; it writes every pair and moves on behind those that stay, without a branch.
 void refresh_inner_list(State& state, DemWorkspace& work) {
     auto& p = state.pairs;
-    const auto& disc = state.discs.disc;
-    std::vector<double> spring(p.i.size(), 0.0);
-    for (std::size_t n = 0; n < p.inner.size(); ++n) spring[p.inner[n]] = p.tangential_m[n];
-    p.inner.clear(), p.tangential_m.clear();
-    for (std::uint32_t n = 0; n < p.i.size(); ++n) {
-        if (!is_within(disc[p.i[n]], disc[p.j[n]], inner_skin_m)) continue;
-        p.inner.push_back(n);
-        p.tangential_m.push_back(spring[n]);
+    const Disc* disc = state.discs.disc.data();
+    const auto outer_count = static_cast<std::uint32_t>(p.i.size());
+    for (auto* list : {&work.i, &work.j, &work.slot_i, &work.slot_j, &work.next_inner}) list->resize(outer_count);
+    for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(outer_count);
+    p.inner.push_back(outer_count);  // sentinels: never met
+    p.tangential_m.push_back(0.0);
+    std::size_t kept = 0, old = 0;
+    for (Block& block : work.block) {
+        block.pair_begin = static_cast<std::uint32_t>(kept);
+        for (std::uint32_t n = block.outer_begin; n < block.outer_end; ++n) {
+            const bool was_listed = p.inner[old] == n;
+            work.i[kept] = p.i[n], work.j[kept] = p.j[n];
+            work.slot_i[kept] = work.outer_slot_i[n], work.slot_j[kept] = work.outer_slot_j[n];
+            work.damping_Ns_m[kept] = work.outer_damping_Ns_m[n];
+            work.next_inner[kept] = n;
+            work.next_spring_m[kept] = was_listed ? p.tangential_m[old] : 0.0;
+            old += was_listed ? 1 : 0;
+            kept += is_within(disc[p.i[n]], disc[p.j[n]], inner_skin_m) ? 1 : 0;
+        }
+        block.pair_end = static_cast<std::uint32_t>(kept);
     }
-    note_positions(disc, p.inner_reference_m);
+    for (auto* list : {&work.i, &work.j, &work.slot_i, &work.slot_j, &work.next_inner}) list->resize(kept);
+    for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(kept);
+    p.inner.swap(work.next_inner);
+    p.tangential_m.swap(work.next_spring_m);
+    note_positions(state.discs.disc, p.inner_reference_m);
     ++work.refreshes;
 }
 
@@ -188,99 +206,119 @@ double wall_gap(const DemConstants& k, std::uint32_t wall, const Disc& d) {
     return side.distance_m - side.opposite_radius_m - d.radius_m;
 }
 
+/// Discs that may come near a wall before the next rebuild, seen from where they stood at the last one.
+void find_outer_walls(const DemConstants& k, const State& state, DemWorkspace& work) {
+    work.outer_wall.clear();
+    const auto walls = static_cast<std::uint32_t>(k.flat_walls.size() + k.wall_discs.size());
+    for (std::uint32_t p = 0; p < state.discs.disc.size(); ++p) {
+        Disc there = state.discs.disc[p];
+        there.x_m = state.pairs.reference_m[p].x, there.y_m = state.pairs.reference_m[p].y;
+        for (std::uint32_t w = 0; w < walls; ++w)
+            if (wall_gap(k, w, there) <= outer_skin_m) work.outer_wall.push_back({p, w});
+    }
+}
+
+/// Each block's part of the discs near walls.
+void share_walls(DemWorkspace& work) {
+    std::uint32_t n = 0;
+    for (Block& block : work.block) {
+        block.wall_begin = n;
+        while (n < work.wall.size() && work.wall[n].position < block.disc_end) ++n;
+        block.wall_end = n;
+    }
+}
+
 /// Candidates for wall contact in order of position and wall, springs carried over.
-void refresh_wall_contacts(const DemConstants& k, State& state, const DemWorkspace& work) {
-    const auto& disc = state.discs.disc;
-    std::vector<BoundaryContact> found;
+void refresh_wall_contacts(const DemConstants& k, State& state, DemWorkspace& work) {
+    auto& found = work.next_wall;
+    found.clear(), work.wall.clear();
     std::size_t old = 0;
     const auto& before = state.wall_contacts;
-    const auto walls = static_cast<std::uint32_t>(k.flat_walls.size() + k.wall_discs.size());
-    double inside_x0 = -1e300, inside_x1 = 1e300, inside_y0 = -1e300;  // quick reject for walls of discs
-    if (!k.wall_discs.empty()) {
-        inside_x0 = 1e300, inside_x1 = -1e300, inside_y0 = 1e300;
-        for (const WallDisc& w : k.wall_discs) {
-            inside_x0 = std::min(inside_x0, w.centre_m.x), inside_x1 = std::max(inside_x1, w.centre_m.x);
-            inside_y0 = std::min(inside_y0, w.centre_m.y);
+    for (const WallCandidate& c : work.outer_wall) {
+        if (wall_gap(k, c.wall, state.discs.disc[c.position]) > inner_skin_m) continue;
+        BoundaryContact contact{state.discs.id[c.position], c.wall, 0.0};
+        while (old < before.size()) {
+            const std::uint32_t at = work.position_of_id[before[old].disc];
+            if (at > c.position || (at == c.position && before[old].surface >= c.wall)) break;
+            ++old;
         }
-    }
-    const double far = 2 * k.largest_radius_m + 2 * inner_skin_m;
-    for (std::uint32_t p = 0; p < disc.size(); ++p) {
-        if (!k.wall_discs.empty() && disc[p].x_m - inside_x0 > far && inside_x1 - disc[p].x_m > far &&
-            disc[p].y_m - inside_y0 > far)
-            continue;
-        for (std::uint32_t w = 0; w < walls; ++w) {
-            if (wall_gap(k, w, disc[p]) > inner_skin_m) continue;
-            BoundaryContact contact{state.discs.id[p], w, 0.0};
-            while (old < before.size()) {
-                const std::uint32_t at = work.position_of_id[before[old].disc];
-                if (at > p || (at == p && before[old].surface >= w)) break;
-                ++old;
-            }
-            if (old < before.size() && before[old].disc == contact.disc && before[old].surface == w)
-                contact.tangential_m = before[old].tangential_m;
-            found.push_back(contact);
-        }
+        if (old < before.size() && before[old].disc == contact.disc && before[old].surface == c.wall)
+            contact.tangential_m = before[old].tangential_m;
+        found.push_back(contact);
+        work.wall.push_back(c);
     }
     state.wall_contacts.swap(found);
+    share_walls(work);
 }
 
 void unpack_walls(const State& state, DemWorkspace& work) {
     work.wall.clear();
     for (const BoundaryContact& c : state.wall_contacts) work.wall.push_back({work.position_of_id[c.disc], c.surface});
+    share_walls(work);
 }
 
+/// The inner list as it stands.
 void unpack_pairs(const State& state, DemWorkspace& work) {
     const auto& p = state.pairs;
-    const std::size_t n_pairs = p.inner.size();
-    work.i.resize(n_pairs), work.j.resize(n_pairs), work.damping_Ns_m.resize(n_pairs);
-    for (std::size_t n = 0; n < n_pairs; ++n) {
-        const std::uint32_t outer = p.inner[n];
-        work.i[n] = p.i[outer], work.j[n] = p.j[outer];
-        work.damping_Ns_m[n] = work.outer_damping_Ns_m[outer];
+    for (auto* list : {&work.i, &work.j, &work.slot_i, &work.slot_j}) list->clear();
+    work.damping_Ns_m.clear();
+    std::size_t n = 0;
+    for (Block& block : work.block) {
+        block.pair_begin = static_cast<std::uint32_t>(n);
+        for (; n < p.inner.size() && p.inner[n] < block.outer_end; ++n) {
+            const std::uint32_t outer = p.inner[n];
+            work.i.push_back(p.i[outer]), work.j.push_back(p.j[outer]);
+            work.slot_i.push_back(work.outer_slot_i[outer]), work.slot_j.push_back(work.outer_slot_j[outer]);
+            work.damping_Ns_m.push_back(work.outer_damping_Ns_m[outer]);
+        }
+        block.pair_end = static_cast<std::uint32_t>(n);
     }
 }
 
 /// Cuts the discs into blocks and gives every block its force slots; see lib/dem/README.md, "Blocks".
 void lay_out_blocks(const State& state, DemWorkspace& work) {
+    const auto& p = state.pairs;
     const auto count = static_cast<std::uint32_t>(state.discs.disc.size());
     work.block.clear();
-    work.slot_i.resize(work.i.size()), work.slot_j.resize(work.i.size());
+    work.outer_slot_i.resize(p.i.size()), work.outer_slot_j.resize(p.i.size());
     work.force_slot.resize(count);
     std::vector<std::vector<Merge>> incoming((count + discs_per_block - 1) / discs_per_block);
+    std::vector<std::uint32_t> first_source(incoming.size(), count);
+    std::vector<std::uint32_t> slot_of_halo(count);  // of the present block
     std::vector<std::uint32_t> halo;
     std::uint32_t pair = 0, slot = 0;
     for (std::uint32_t begin = 0; begin < count; begin += discs_per_block) {
         Block b;
         b.disc_begin = begin, b.disc_end = std::min<std::uint32_t>(count, begin + discs_per_block);
-        b.pair_begin = pair, b.force_begin = slot;
+        b.outer_begin = pair, b.force_begin = slot;
         halo.clear();
-        while (pair < work.i.size() && work.i[pair] < b.disc_end) {
-            if (work.j[pair] >= b.disc_end) halo.push_back(work.j[pair]);
-            ++pair;
-        }
-        b.pair_end = pair;
+        for (; pair < p.i.size() && p.i[pair] < b.disc_end; ++pair)
+            if (p.j[pair] >= b.disc_end) halo.push_back(p.j[pair]);
+        b.outer_end = pair;
         std::sort(halo.begin(), halo.end());
         halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
-        const std::uint32_t own = b.disc_end - b.disc_begin;
-        b.force_end = slot + own + static_cast<std::uint32_t>(halo.size());
-        const auto slot_of = [&](std::uint32_t position) {
-            if (position < b.disc_end) return slot + position - b.disc_begin;
-            const auto at = std::lower_bound(halo.begin(), halo.end(), position) - halo.begin();
-            return slot + own + static_cast<std::uint32_t>(at);
-        };
-        for (std::uint32_t d = b.disc_begin; d < b.disc_end; ++d) work.force_slot[d] = slot_of(d);
-        for (std::uint32_t n = b.pair_begin; n < b.pair_end; ++n)
-            work.slot_i[n] = slot_of(work.i[n]), work.slot_j[n] = slot_of(work.j[n]);
-        for (const std::uint32_t h : halo) incoming[h / discs_per_block].push_back({slot_of(h), h});
-        slot = b.force_end;
+        for (std::uint32_t d = b.disc_begin; d < b.disc_end; ++d) work.force_slot[d] = slot++;
+        for (const std::uint32_t h : halo) {
+            slot_of_halo[h] = slot++;
+            incoming[h / discs_per_block].push_back({slot_of_halo[h], h});
+            auto& first = first_source[h / discs_per_block];
+            first = std::min(first, static_cast<std::uint32_t>(work.block.size()));
+        }
+        b.force_end = slot;
+        for (std::uint32_t n = b.outer_begin; n < b.outer_end; ++n) {
+            work.outer_slot_i[n] = work.force_slot[p.i[n]];
+            work.outer_slot_j[n] = p.j[n] < b.disc_end ? work.force_slot[p.j[n]] : slot_of_halo[p.j[n]];
+        }
         work.block.push_back(b);
     }
     work.force.resize(slot);
     work.merge.clear();
     for (std::size_t n = 0; n < work.block.size(); ++n) {
-        work.block[n].merge_begin = static_cast<std::uint32_t>(work.merge.size());
+        Block& b = work.block[n];
+        b.first_source = std::min(first_source[n], static_cast<std::uint32_t>(n));
+        b.merge_begin = static_cast<std::uint32_t>(work.merge.size());
         for (const Merge& m : incoming[n]) work.merge.push_back({m.slot, work.force_slot[m.target]});
-        work.block[n].merge_end = static_cast<std::uint32_t>(work.merge.size());
+        b.merge_end = static_cast<std::uint32_t>(work.merge.size());
     }
 }
 
@@ -298,9 +336,11 @@ void note_constants(const DemConstants& k, const State& state, DemWorkspace& wor
     }
 }
 
-void unpack(const State& state, DemWorkspace& work) {
-    unpack_pairs(state, work);
-    unpack_walls(state, work);
+/// Everything that stays as it is until the next rebuild.
+void lay_out(const DemConstants& k, const State& state, DemWorkspace& work) {
+    note_ids(state, work);
+    note_constants(k, state, work);
+    find_outer_walls(k, state, work);
     lay_out_blocks(state, work);
 }
 
@@ -310,11 +350,10 @@ void update_lists(const DemConstants& k, State& state, DemWorkspace& work) {
     if (!work.rebuild_outer && !work.refresh_inner) return;
     if (work.rebuild_outer) {
         rebuild_outer_list(k, state, work);
-        note_constants(k, state, work);
+        lay_out(k, state, work);
     }
     refresh_inner_list(state, work);
     refresh_wall_contacts(k, state, work);
-    unpack(state, work);
     work.rebuild_outer = work.refresh_inner = false;
 }
 
@@ -323,8 +362,9 @@ void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
     note_ids(state, work);
     work.rebuild_outer = work.refresh_inner = state.pairs.reference_m.empty();
     if (work.rebuild_outer) return;
-    note_constants(k, state, work);
-    unpack(state, work);
+    lay_out(k, state, work);
+    unpack_pairs(state, work);
+    unpack_walls(state, work);
     watch_movement(state, work);
 }
 

@@ -26,36 +26,52 @@ void add_pairs_sse2(const ContactConstants& k, const PairBatch& batch);
 void add_pairs_avx2(const ContactConstants& k, const PairBatch& batch);
 void add_pairs_avx512(const ContactConstants& k, const PairBatch& batch);
 
-/// What a pair's law needs of one disc, and what it gives to one.
+/// What a pair's law needs of one disc.
 template <class V>
 struct PairSide {
     V x, y, vx, vy, omega, radius;
 };
+
+/// A pair's geometry and relative motion, discs i and j.
+template <class V>
+struct PairMotion {
+    V nx, ny;  ///< unit normal from i to j
+    V overlap, chord;
+    V arm_i, arm_j;  ///< from the centres to the contact point
+    V ux, uy;        ///< velocity of i relative to j
+    V omega_i, omega_j;
+};
+
+/// What a pair gives to its discs; the force is that on j, the opposite acts on i.
 template <class V>
 struct PairForces {
     V x, y, moment_i, moment_j, rolling, spring;
 };
 
-/// Eq 2.17 between discs i and j; the force is that on j, the opposite acts on i.
 template <class V>
-IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairSide<V>& i, const PairSide<V>& j,
-                                        V damping, V spring, V spring_step) {
+IFEDEM_INLINE PairMotion<V> pair_motion(const PairSide<V>& i, const PairSide<V>& j) {
     const V dx = j.x - i.x, dy = j.y - i.y;
     const V distance = root(dx * dx + dy * dy);
     const V overlap = (i.radius + j.radius) - distance;
     const V inverse = 1.0 / distance;
-    const V nx = dx * inverse, ny = dy * inverse;
-    const V ux = i.vx - j.vx, uy = i.vy - j.vy;
     const V half_overlap = 0.5 * overlap;
-    const V arm_i = i.radius - half_overlap, arm_j = j.radius - half_overlap;
-    const V approach = ux * nx + uy * ny;
-    const V sliding = (uy * nx - ux * ny) + (i.omega * arm_i + j.omega * arm_j);
-    const V half_chord = (0.5 * inverse) * root(max_of(chord_product(overlap, i.radius, j.radius), V(0.0)));
-    const auto f = contact_forces(k, overlap, approach, sliding, damping, spring, spring_step, half_chord);
-    return {f.normal_N * nx - f.tangential_N * ny,
-            f.normal_N * ny + f.tangential_N * nx,
-            V(0.0) - f.tangential_N * arm_i,
-            V(0.0) - f.tangential_N * arm_j,
+    const V chord = inverse * root(max_of(chord_product(distance, overlap, i.radius, j.radius), V(0.0)));
+    return {dx * inverse, dy * inverse, overlap, chord,  i.radius - half_overlap, j.radius - half_overlap,
+            i.vx - j.vx,  i.vy - j.vy,  i.omega, j.omega};
+}
+
+/// Eq 2.17 between discs i and j.
+template <class V>
+IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairMotion<V>& p, V damping, V spring,
+                                        V spring_step) {
+    const V approach = p.ux * p.nx + p.uy * p.ny;
+    const V sliding = (p.uy * p.nx - p.ux * p.ny) + (p.omega_i * p.arm_i + p.omega_j * p.arm_j);
+    const auto f = contact_forces(k, p.overlap, approach, sliding, damping, spring, spring_step, p.chord);
+    const V backward = V(0.0) - f.tangential_N;
+    return {f.normal_N * p.nx + backward * p.ny,
+            f.normal_N * p.ny - backward * p.nx,
+            backward * p.arm_i,
+            backward * p.arm_j,
             f.rolling_limit_Nm,
             f.tangential_spring_m};
 }
@@ -63,9 +79,9 @@ IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairSid
 /// One pair; also the tail of a block.
 IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, std::uint32_t n) {
     const Disc &di = b.disc[b.i[n]], &dj = b.disc[b.j[n]];
-    const auto f = pair_forces<double>(k, {di.x_m, di.y_m, di.vx_m_s, di.vy_m_s, di.omega_rad_s, di.radius_m},
-                                       {dj.x_m, dj.y_m, dj.vx_m_s, dj.vy_m_s, dj.omega_rad_s, dj.radius_m},
-                                       b.damping_Ns_m[n], b.spring_m[n], b.spring_step_s);
+    const auto motion = pair_motion<double>({di.x_m, di.y_m, di.vx_m_s, di.vy_m_s, di.omega_rad_s, di.radius_m},
+                                            {dj.x_m, dj.y_m, dj.vx_m_s, dj.vy_m_s, dj.omega_rad_s, dj.radius_m});
+    const auto f = pair_forces<double>(k, motion, b.damping_Ns_m[n], b.spring_m[n], b.spring_step_s);
     b.spring_m[n] = f.spring;
     DiscForce& on_i = b.force[b.slot_i[n]];
     on_i.x_N -= f.x, on_i.y_N -= f.y, on_i.moment_Nm += f.moment_i, on_i.rolling_limit_Nm += f.rolling;
@@ -144,24 +160,44 @@ IFEDEM_INLINE PairSide<Pack<8>> load_side<8>(const Disc* disc, const std::uint32
             {P::FromRaw{}, __builtin_shufflevector(o15a, o15b, 2, 3, 6, 7, 10, 11, 14, 15)}};
 }
 
-/// Adds lane n of (x, y, moment, rolling) to the slot's record.
+/// W lanes of the columns x, y, moment, rolling as W force records, in lane order.
 template <int W>
-IFEDEM_INLINE void add_lane(DiscForce& to, const Pack<W>& x, const Pack<W>& y, const Pack<W>& moment,
-                            const Pack<W>& rolling, int n) {
-    to.x_N += x.v[n], to.y_N += y.v[n], to.moment_Nm += moment.v[n], to.rolling_limit_Nm += rolling.v[n];
+IFEDEM_INLINE void to_records(const Pack<W> (&in)[4], Four (&out)[W]);
+
+template <>
+IFEDEM_INLINE void to_records<2>(const Pack<2> (&in)[4], Four (&out)[2]) {
+    out[0] = Four{in[0].v[0], in[1].v[0], in[2].v[0], in[3].v[0]};
+    out[1] = Four{in[0].v[1], in[1].v[1], in[2].v[1], in[3].v[1]};
 }
 
-/// Four lanes of four columns as four records.
-IFEDEM_INLINE void transpose_four(const Four in[4], Four out[4]) {
-    const Four a = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6),
-               b = __builtin_shufflevector(in[0], in[1], 1, 5, 3, 7);
-    const Four c = __builtin_shufflevector(in[2], in[3], 0, 4, 2, 6),
-               d = __builtin_shufflevector(in[2], in[3], 1, 5, 3, 7);
+template <>
+IFEDEM_INLINE void to_records<4>(const Pack<4> (&in)[4], Four (&out)[4]) {
+    const Four a = __builtin_shufflevector(in[0].v, in[1].v, 0, 4, 2, 6),
+               b = __builtin_shufflevector(in[0].v, in[1].v, 1, 5, 3, 7);
+    const Four c = __builtin_shufflevector(in[2].v, in[3].v, 0, 4, 2, 6),
+               d = __builtin_shufflevector(in[2].v, in[3].v, 1, 5, 3, 7);
     out[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5), out[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
     out[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7), out[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 
-IFEDEM_INLINE void add_record(DiscForce& to, Four f) {
+template <>
+IFEDEM_INLINE void to_records<8>(const Pack<8> (&in)[4], Four (&out)[8]) {
+    using R = Pack<8>::Raw;
+    const R xy[2] = {__builtin_shufflevector(in[0].v, in[1].v, 0, 8, 2, 10, 4, 12, 6, 14),
+                     __builtin_shufflevector(in[0].v, in[1].v, 1, 9, 3, 11, 5, 13, 7, 15)};
+    const R mr[2] = {__builtin_shufflevector(in[2].v, in[3].v, 0, 8, 2, 10, 4, 12, 6, 14),
+                     __builtin_shufflevector(in[2].v, in[3].v, 1, 9, 3, 11, 5, 13, 7, 15)};
+    for (int odd = 0; odd < 2; ++odd) {
+        const R first = __builtin_shufflevector(xy[odd], mr[odd], 0, 1, 8, 9, 2, 3, 10, 11);
+        const R second = __builtin_shufflevector(xy[odd], mr[odd], 4, 5, 12, 13, 6, 7, 14, 15);
+        out[odd] = __builtin_shufflevector(first, first, 0, 1, 2, 3);
+        out[odd + 2] = __builtin_shufflevector(first, first, 4, 5, 6, 7);
+        out[odd + 4] = __builtin_shufflevector(second, second, 0, 1, 2, 3);
+        out[odd + 6] = __builtin_shufflevector(second, second, 4, 5, 6, 7);
+    }
+}
+
+IFEDEM_INLINE void add_record(DiscForce& to, const Four& f) {
     Four old;
     __builtin_memcpy(&old, &to.x_N, 32);
     old += f;
@@ -171,58 +207,53 @@ IFEDEM_INLINE void add_record(DiscForce& to, Four f) {
 /// Sums pair by pair, i before j: the order of the scalar loop, hence its bits.
 template <int W>
 IFEDEM_INLINE void scatter(const PairBatch& b, std::uint32_t n, const PairForces<Pack<W>>& f) {
-    const Pack<W> x = Pack<W>(0.0) - f.x, y = Pack<W>(0.0) - f.y;
-    if constexpr (W == 2) {
-        for (int lane = 0; lane < 2; ++lane) {
-            const std::uint32_t at = n + static_cast<std::uint32_t>(lane);
-            add_lane(b.force[b.slot_i[at]], x, y, f.moment_i, f.rolling, lane);
-            add_lane(b.force[b.slot_j[at]], f.x, f.y, f.moment_j, f.rolling, lane);
-        }
-    } else {
-        for (int part = 0; part < W / 4; ++part) {
-            Four on_i[4], on_j[4], out_i[4], out_j[4];
-            const auto quarter = [part](const Pack<W>& p) {
-                Four r;
-                __builtin_memcpy(&r, reinterpret_cast<const char*>(&p.v) + 32 * part, 32);
-                return r;
-            };
-            on_i[0] = quarter(x), on_i[1] = quarter(y), on_i[2] = quarter(f.moment_i), on_i[3] = quarter(f.rolling);
-            on_j[0] = quarter(f.x), on_j[1] = quarter(f.y), on_j[2] = quarter(f.moment_j), on_j[3] = on_i[3];
-            transpose_four(on_i, out_i);
-            transpose_four(on_j, out_j);
-            for (int lane = 0; lane < 4; ++lane) {
-                const std::uint32_t at = n + static_cast<std::uint32_t>(4 * part + lane);
-                add_record(b.force[b.slot_i[at]], out_i[lane]);
-                add_record(b.force[b.slot_j[at]], out_j[lane]);
-            }
-        }
+    Four on_i[W], on_j[W];
+    to_records<W>({Pack<W>(0.0) - f.x, Pack<W>(0.0) - f.y, f.moment_i, f.rolling}, on_i);
+    to_records<W>({f.x, f.y, f.moment_j, f.rolling}, on_j);
+    for (int lane = 0; lane < W; ++lane) {
+        const std::uint32_t at = n + static_cast<std::uint32_t>(lane);
+        add_record(b.force[b.slot_i[at]], on_i[lane]);
+        add_record(b.force[b.slot_j[at]], on_j[lane]);
     }
 }
 
-/// The law for W pairs from `n` on; their springs are stored.
+/// W pairs from `n` on.
 template <int W>
-IFEDEM_INLINE PairForces<Pack<W>> compute_pairs(const ContactConstants& k, const PairBatch& b, std::uint32_t n) {
-    const auto f = pair_forces<Pack<W>>(k, load_side<W>(b.disc, b.i + n), load_side<W>(b.disc, b.j + n),
-                                        Pack<W>(b.damping_Ns_m + n), Pack<W>(b.spring_m + n), b.spring_step_s);
+IFEDEM_INLINE PairMotion<Pack<W>> gather(const PairBatch& b, std::uint32_t n) {
+    return pair_motion<Pack<W>>(load_side<W>(b.disc, b.i + n), load_side<W>(b.disc, b.j + n));
+}
+
+/// Their law; the springs are stored.
+template <int W>
+IFEDEM_INLINE PairForces<Pack<W>> compute(const ContactConstants& k, const PairBatch& b, std::uint32_t n,
+                                          const PairMotion<Pack<W>>& motion) {
+    const auto f =
+        pair_forces<Pack<W>>(k, motion, Pack<W>(b.damping_Ns_m + n), Pack<W>(b.spring_m + n), b.spring_step_s);
     f.spring.store(b.spring_m + n);
     return f;
 }
 
-/// Software-pipelined: the sums of one batch wait on memory while the roots and divisions of the next are under way
-/// (27 → 16 ns a particle-step with 8 lanes). Constants are copied so that no store can be thought to change them.
+/// Software-pipelined in three stages, so that the roots and the division of one batch are under way while the law of
+/// the batch before and the sums of the one before that are done; in program order a batch would wait for each of
+/// them. Constants are copied so that no store can be thought to change them.
 template <int W>
 IFEDEM_INLINE void add_pairs(const ContactConstants& constants, const PairBatch& batch) {
     const ContactConstants k = constants;
     const PairBatch b = batch;
     std::uint32_t n = b.begin;
-    if (n + W <= b.end) {
-        auto ready = compute_pairs<W>(k, b, n);
-        for (n += W; n + W <= b.end; n += W) {
-            const auto next = compute_pairs<W>(k, b, n);
-            scatter<W>(b, n - W, ready);
-            ready = next;
+    if (n + 2 * W <= b.end) {
+        auto motion = gather<W>(b, n);
+        auto forces = compute<W>(k, b, n, motion);
+        motion = gather<W>(b, n + W);
+        for (n += 2 * W; n + W <= b.end; n += W) {
+            const auto next = gather<W>(b, n);
+            const auto ready = forces;
+            forces = compute<W>(k, b, n - W, motion);
+            scatter<W>(b, n - 2 * W, ready);
+            motion = next;
         }
-        scatter<W>(b, n - W, ready);
+        scatter<W>(b, n - 2 * W, forces);
+        scatter<W>(b, n - W, compute<W>(k, b, n - W, motion));
     }
     for (; n < b.end; ++n) add_one_pair(k, b, n);
 }

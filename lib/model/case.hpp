@@ -113,11 +113,12 @@ struct RecordCase {
     double series_interval_s = 0.002;
     double frame_interval_s = 0.25;
     double checkpoint_interval_s = 1;
-    double energy_interval_s = 0.001;  ///< sampling of dissipation; 0 = no energy budget
+    double energy_interval_s = 0.004;  ///< sampling of dissipation; 0 = no energy budget
 };
 
 struct HealthCase {
-    double overlap_limit = 0.8;  ///< largest overlap as a share of the smaller radius; at 1 a disc's centre passes a surface
+    double overlap_limit =
+        0.8;  ///< largest overlap as a share of the smaller radius; at 1 a disc's centre passes a surface
     double drawbar_error_limit_m = 0.02;
     double torque_error_limit_rad = 0.1;
 };

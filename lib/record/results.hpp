@@ -29,7 +29,8 @@ struct SeriesRow {
     double fx_positive_N = 0, fx_negative_N = 0;                           ///< Eqs 2.13, 2.14 on the boundary nodes
     double hub_speed_m_s = 0, omega_rad_s = 0, commanded_omega_rad_s = 0;  ///< ω clockwise
     EnergyLedger ledger;
-    double stored_J = 0;  ///< kinetic, elastic and potential energy of the whole scene now
+    double vertical_momentum_Ns = 0;  ///< of the wheel, now
+    double stored_J = 0;              ///< kinetic, elastic and potential energy of the whole scene now
 };
 
 /// Calls f(column, value) for the numbers of a line, in order; `stage` follows the first.
@@ -51,6 +52,7 @@ void for_each_series_column(const SeriesRow& row, F&& f) {
     f("hub_speed_m_s", row.hub_speed_m_s);
     f("omega_rad_s", row.omega_rad_s);
     f("commanded_omega_rad_s", row.commanded_omega_rad_s);
+    f("vertical_momentum_Ns", row.vertical_momentum_Ns);
     f("work_torque_J", row.ledger.work_torque_J);
     f("work_drawbar_J", row.ledger.work_drawbar_J);
     f("lost_normal_J", row.ledger.lost_normal_J);

@@ -140,7 +140,7 @@ EnergyStore measure_energy(const Scene& scene, const State& state, const Workspa
     EnergyStore e;
     for (const Disc& d : state.discs.disc) {
         e.kinetic_discs_J += kinetic_energy(d);
-        e.height_discs_J += scene.dem.gravity_m_s2 / d.inverse_mass_1_kg * d.y_m;
+        e.height_discs_J -= dot(scene.dem.gravity_m_s2, {d.x_m, d.y_m}) / d.inverse_mass_1_kg;
     }
     const auto stored = [](const ContactConstants& k, double overlap, double spring) {
         return overlap > 0 ? 0.5 * k.normal_stiffness_N_m * squared(overlap) + spring_energy(k, spring) : 0.0;

@@ -1,9 +1,11 @@
 #include "step/integrate_discs.hpp"
 
-#include "dem/forces.hpp"
+#include <cmath>
 
 namespace ifedem {
 namespace {
+
+double squared(double a) { return a * a; }
 
 /// Accelerations under the gathered forces; rolling resistance counts as what it does to ω within the step.
 DiscAcceleration acceleration_of(const DemConstants& k, const Disc& d, const DiscForce& f) {
@@ -11,8 +13,8 @@ DiscAcceleration acceleration_of(const DemConstants& k, const Disc& d, const Dis
     const double per_inertia = 2.0 * d.inverse_mass_1_kg / (d.radius_m * d.radius_m);
     const double free = d.omega_rad_s + dt * per_inertia * f.moment_Nm;
     const double after = apply_rolling(k.rolling, free, d.omega_rad_s, dt * per_inertia * f.rolling_limit_Nm);
-    return {d.inverse_mass_1_kg * f.x_N, d.inverse_mass_1_kg * f.y_N - k.gravity_m_s2, (after - d.omega_rad_s) / dt,
-            0.0};
+    return {d.inverse_mass_1_kg * f.x_N + k.gravity_m_s2.x, d.inverse_mass_1_kg * f.y_N + k.gravity_m_s2.y,
+            (after - d.omega_rad_s) / dt, 0.0};
 }
 
 void correct(Disc& d, const DiscAcceleration& predicted_with, const DiscAcceleration& a, double dt) {
@@ -31,45 +33,82 @@ void predict(Disc& d, const DiscAcceleration& a, double dt) {
     d.vx_m_s += dt * a.x_m_s2, d.vy_m_s += dt * a.y_m_s2, d.omega_rad_s += dt * a.angular_rad_s2;
 }
 
+/// Calls move(disc, its force, position). The search for discs that have left their skin rides along;
+/// watch_movement() then says which list is due.
 template <class F>
-void for_each_disc(State& state, const DemWorkspace& work, F&& visit) {
-    const auto count = static_cast<std::int64_t>(state.discs.disc.size());
-#pragma omp parallel for schedule(static)
-    for (std::int64_t n = 0; n < count; ++n) {
-        const auto p = static_cast<std::size_t>(n);
-        visit(state.discs.disc[p], state.discs.acceleration[p], work.force[work.force_slot[p]]);
+void move_discs(State& state, const DemWorkspace& work, Block& block, F&& move) {
+    constexpr double limit2 = 0.25 * inner_skin_m * inner_skin_m;
+    const DiscForce* force = work.force.data() + block.force_begin;  // a block's own slots come first, in disc order
+    Disc* disc = state.discs.disc.data();
+    const Vec2* reference = state.pairs.inner_reference_m.data();
+    bool moved = false;
+    for (std::uint32_t p = block.disc_begin; p < block.disc_end; ++p, ++force) {
+        move(disc[p], *force, p);
+        moved |= !(squared(disc[p].x_m - reference[p].x) + squared(disc[p].y_m - reference[p].y) <= limit2);
     }
+    block.moved = moved;
+}
+
+void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work, Block& block) {
+    const double dt = k.step_s;
+    const Vec2 fall = dt * k.gravity_m_s2;
+    const RollingScheme rolling = k.rolling;
+    const double* spin_per_moment = work.spin_per_moment.data();
+    move_discs(state, work, block, [=](Disc& d, const DiscForce& f, std::uint32_t p) {
+        const double impulse = dt * d.inverse_mass_1_kg, spin = spin_per_moment[p];
+        d.vx_m_s += impulse * f.x_N + fall.x;
+        d.vy_m_s += impulse * f.y_N + fall.y;
+        d.omega_rad_s =
+            apply_rolling(rolling, d.omega_rad_s + spin * f.moment_Nm, d.omega_rad_s, spin * f.rolling_limit_Nm);
+        d.x_m += dt * d.vx_m_s;
+        d.y_m += dt * d.vy_m_s;
+        d.angle_rad += dt * d.omega_rad_s;
+    });
 }
 
 }  // namespace
 
-void integrate_discs(const Scene& scene, State& state, DemWorkspace& work) {
+double apply_rolling(RollingScheme rolling, double omega_free_rad_s, double omega_now_rad_s,
+                     double largest_change_rad_s) {
+    if (rolling == RollingScheme::sign) {
+        // Eq 2.18 to the letter: the moment follows the sign of ω at the beginning of the step, whatever comes of it.
+        if (omega_now_rad_s > 0) return omega_free_rad_s - largest_change_rad_s;
+        if (omega_now_rad_s < 0) return omega_free_rad_s + largest_change_rad_s;
+        return omega_free_rad_s;
+    }
+    const double slower = max_of(std::fabs(omega_free_rad_s) - largest_change_rad_s, 0.0);
+    return omega_free_rad_s < 0 ? -slower : slower;
+}
+
+void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block) {
     const DemConstants& k = scene.dem;
     const double dt = k.step_s;
+    DiscAcceleration* acceleration = state.discs.acceleration.data();
     switch (scene.c.integrator) {
         case Integrator::symplectic_euler:
-            integrate_symplectic(k, state, work);
+            integrate_symplectic(k, state, work, block);
             return;
         case Integrator::modified_euler_one:
-            for_each_disc(state, work, [&](Disc& d, DiscAcceleration& old, const DiscForce& f) {
+            move_discs(state, work, block, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
                 const DiscAcceleration a = acceleration_of(k, d, f);
-                correct(d, old, a, dt);
+                correct(d, acceleration[p], a, dt);
                 predict(d, a, dt);
-                old = a;
+                acceleration[p] = a;
             });
             return;
         case Integrator::modified_euler_two:
-            for_each_disc(state, work, [&](Disc& d, DiscAcceleration& old, const DiscForce& f) {
-                old = acceleration_of(k, d, f);
-                predict(d, old, dt);
+            move_discs(state, work, block, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
+                acceleration[p] = acceleration_of(k, d, f);
+                predict(d, acceleration[p], dt);
             });
             return;
     }
 }
 
-void correct_discs(const Scene& scene, State& state, const DemWorkspace& work) {
-    for_each_disc(state, work, [&](Disc& d, DiscAcceleration& old, const DiscForce& f) {
-        correct(d, old, acceleration_of(scene.dem, d, f), scene.dem.step_s);
+void correct_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block) {
+    const DiscAcceleration* acceleration = state.discs.acceleration.data();
+    move_discs(state, work, block, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
+        correct(d, acceleration[p], acceleration_of(scene.dem, d, f), scene.dem.step_s);
     });
 }
 

@@ -15,10 +15,16 @@ namespace ifedem {
 // what the forces need; the correction is x += ¼ (a* − a) Δt², v += ½ (a* − a) Δt. Two evaluations: a is evaluated anew
 // from the corrected values; the tangential springs advance in the second one only.
 
-/// After the forces of `work`: the whole step, or for two evaluations the prediction.
-void integrate_discs(const Scene& scene, State& state, DemWorkspace& work);
+/// The discs of a block after their forces: the whole step, or for two evaluations the prediction. Notes in the block
+/// whether a disc has left its inner skin.
+void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block);
 
 /// Two evaluations: after the second forces, the correction.
-void correct_discs(const Scene& scene, State& state, const DemWorkspace& work);
+void correct_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block);
+
+/// Angular velocity after a step whose other moments alone would give `omega_free`, with rolling resistance (Eq 2.18):
+/// as a limit it can stop but never reverse the rotation.
+[[nodiscard]] double apply_rolling(RollingScheme rolling, double omega_free_rad_s, double omega_now_rad_s,
+                                   double largest_change_rad_s);
 
 }  // namespace ifedem

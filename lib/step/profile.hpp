@@ -4,15 +4,14 @@
 
 namespace ifedem {
 
-enum class Phase { lists, pairs, walls, wheel_contact, wheel_force, wheel_motion, discs, watch, count };
-inline constexpr std::array<const char*, 8> phase_name = {"neighbour lists",  "disc-disc forces", "walls",
-                                                          "wheel contact",    "wheel elements",   "wheel and control",
-                                                          "disc integration", "movement watch"};
+enum class Phase { lists, wheel_contact, wheel_force, wheel_motion, discs, watch, count };
+inline constexpr std::array<const char*, 6> phase_name = {"neighbour lists",   "wheel contact",   "wheel elements",
+                                                          "wheel and control", "discs and walls", "movement watch"};
 
 /// Seconds spent in each phase of the step; off unless asked for.
 struct Profile {
     bool on = false;
-    std::array<double, 8> seconds{};
+    std::array<double, phase_name.size()> seconds{};
 };
 
 /// Books the time since the last call on a phase.

@@ -11,8 +11,8 @@ COMMAND ?= make reproduce-chapter3
 
 # WHEEL-PLANET-LOAD-sSLIP-rREALISATION. A realisation is a packing seed and a lug phase (golden section of the pitch of 30°).
 SLIPS  := 0 10 20 30 40 50 60 70
-EARTH  := $(foreach s,$(SLIPS),B3-earth-170N-s$(s)-r1) $(foreach r,2 3 4,B3-earth-170N-s60-r$(r))
-MARS   := $(foreach r,1 2 3 4,B3-mars-64.4N-s60-r$(r))
+EARTH  := $(foreach s,$(SLIPS),B3-earth-170N-s$(s)-r1) $(foreach r,2 3 4 5 6 7 8,B3-earth-170N-s60-r$(r))
+MARS   := $(foreach r,1 2 3 4 5 6 7 8,B3-mars-64.4N-s60-r$(r))
 RUNS   := $(EARTH) $(MARS)
 PHASE_1 := 0
 PHASE_2 := 18.541

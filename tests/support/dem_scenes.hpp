@@ -28,14 +28,14 @@ struct World {
 inline constexpr double stiffness_N_m = 1e5;
 
 inline ContactConstants make_contact(double normal_N_m, double tangential_N_m, double friction,
-                                     ContactEnd end = ContactEnd::no_attraction, double rolling_chords = 0) {
+                                     ContactEnd end = ContactEnd::no_attraction, double rolling_half_chords = 0) {
     ContactConstants k;
     k.normal_stiffness_N_m = normal_N_m;
     k.tangential_stiffness_N_m = tangential_N_m;
     k.inverse_tangential_stiffness_m_N = 1.0 / tangential_N_m;
     k.friction = friction;
     k.damping_ratio_of_ratios = std::sqrt(tangential_N_m / normal_N_m);
-    k.rolling_chords = rolling_chords;
+    k.rolling_chords = 0.5 * rolling_half_chords;
     k.smallest_normal_N = end == ContactEnd::no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
     return k;
 }
@@ -47,7 +47,7 @@ inline DemConstants make_dem(const ContactConstants& contact, double damping_rat
     k.soil = k.wall = k.wheel = contact;
     k.damping_ratio = damping_ratio;
     k.step_s = step_s;
-    k.gravity_m_s2 = gravity_m_s2;
+    k.gravity_m_s2 = {0, -gravity_m_s2};
     return k;
 }
 

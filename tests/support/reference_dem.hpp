@@ -52,7 +52,7 @@ inline Force contact(const ContactConstants& k, double damping_ratio, double ste
         std::clamp(spring_m + sliding * step_s, -cap / k.tangential_stiffness_N_m, cap / k.tangential_stiffness_N_m);
     const double ft = std::clamp(k.tangential_stiffness_N_m * spring_m + cs * sliding, -cap, cap);
     return {-fn * n - ft * t, -ft * touch.arm_a_m,
-            k.rolling_chords * touch.half_chord_m * k.normal_stiffness_N_m * touch.overlap_m};
+            2 * k.rolling_chords * touch.half_chord_m * k.normal_stiffness_N_m * touch.overlap_m};
 }
 
 /// All contacts of a set of discs known by id, springs by (lower id, higher id) and by (id, wall).

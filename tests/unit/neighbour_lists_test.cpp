@@ -73,7 +73,7 @@ class Lists : public testing::TestWithParam<Bed> {};
 TEST_P(Lists, hold_every_touching_pair_once) {
     World w = make_bed(GetParam(), 0);
     std::size_t checks = 0, touches = 0;
-    for (int n = 0; n < 400; ++n) {
+    for (int n = 0; n < 600; ++n) {
         update_lists(w.scene.dem, w.state, w.work.dem);  // as step() does first
         if (n % 8 == 0) {
             const std::set<Pair> touching = find_touching(w.state);

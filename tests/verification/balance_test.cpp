@@ -59,12 +59,7 @@ FalseDrag closed_drag(const World& w) {
     return {weight * 0.2, inertia * 0.2 / (0.15 * 0.4)};
 }
 
-Vec2 momentum_of_wheel(const World& w) {
-    const WheelModel& m = w.scene.wheel;
-    Vec2 p = m.body_mass_kg * w.state.wheel.rim.velocity_m_s;
-    for (const std::uint32_t n : m.free_node) p += m.elements.mass_kg[n] * w.state.wheel.velocity_m_s[n];
-    return p;
-}
+Vec2 momentum_of_wheel(const World& w) { return momentum_Ns(w.scene.wheel, w.state.wheel); }
 
 /// About the hub, clockwise.
 double spin_of_wheel(const World& w) {

@@ -41,9 +41,9 @@ World make_wheel_and_discs(const WheelCase& wheel, double friction, const std::v
 
 /// One evaluation; the search is asked for since discs and nodes have been moved by hand.
 void evaluate(World& w, double spring_step_s) {
-    add_pair_forces(w.scene.dem, w.state, w.work.dem, spring_step_s);
     w.work.wheel.search = true;
     add_wheel_contacts(w.scene.dem, w.scene.wheel, w.state, w.work.dem, w.work.wheel, spring_step_s);
+    add_forces(w.scene.dem, w.state, w.work.dem, spring_step_s, [](Block&) {});
 }
 
 /// The boundary polygon as it stands.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "step/integrate_discs.hpp"
 #include "support/dem_scenes.hpp"
 
 namespace ifedem {
