@@ -2,18 +2,19 @@
 # `make help` lists them. JOBS=n limits the cores; a sweep uses one core a case, since cases are independent.
 
 # compiler:level pairs of test-determinism
-MATRIX    ?= clang++:O0 clang++:O3 g++:O0 g++:O3
+MATRIX    ?= clang++:O0 clang++:O2 clang++:O3 g++:O0 g++:O2 g++:O3
 JOBS      ?= $(shell nproc)
 BUILD     := build
 CXX_FAST  := clang++
 IFEDEM    := $(BUILD)/ifedem
 PACKAGES  := clang cmake ninja-build g++ gnuplot-nox libomp-dev libeigen3-dev libgsl-dev libhdf5-dev libgtest-dev \
              libfmt-dev libcli11-dev libtomlplusplus-dev libclang-rt-14-dev fonts-dejavu-core pkg-config
+PEERS     := lammps liggghts yade
 SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 export JOBS IFEDEM
 
-.PHONY: help setup build test test-determinism reproduce-chapter3 causes-chapter3 quick-chapter3 check \
+.PHONY: help setup build test test-determinism bench bench-peers reproduce-chapter3 causes-chapter3 quick-chapter3 check \
         sanitize sanitize-unit clean
 .DEFAULT_GOAL := help
 
@@ -39,6 +40,16 @@ test: build ## unit, verification, stability, determinism and reliability tests
 
 test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
 	@tests/determinism/run_matrix.sh $(MATRIX)
+
+bench: build ## cost of a step on dense beds (idle machine): build/bench.csv
+	@cmake --build $(BUILD) --target step_bench -j $(JOBS)
+	@tests/bench/run_bench.sh
+
+bench-peers: build ## ifedem against LAMMPS, LIGGGHTS and YADE (idle machine): build/bench-peers.csv
+	@missing=; for p in $(PEERS); do dpkg -s $$p >/dev/null 2>&1 || missing="$$missing $$p"; done; \
+	[ -z "$$missing" ] || { $(SUDO) apt-get update -qq && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; }
+	@cmake --build $(BUILD) --target step_bench -j $(JOBS)
+	@tests/bench/peers/run_peers.sh
 
 sanitize sanitize-unit: $(BUILD)/.packages ## tests (all, or the unit tests) under AddressSanitizer and UndefinedBehaviorSanitizer
 	@cmake -S . -B $(BUILD)-sanitize -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_SANITIZE=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null

@@ -16,6 +16,7 @@
 #include "check/check.hpp"
 #include "check/report.hpp"
 #include "record/checkpoint.hpp"
+#include "record/compare.hpp"
 
 namespace {
 
@@ -40,6 +41,8 @@ void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets,
         "--force", [&] { request.existing = Existing::replace; }, "replace an existing directory");
     run->add_flag_callback(
         "--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    run->add_option("--stop-at-step", request.stop_at_step,
+                    "leave a checkpoint after this many steps of all stages together");
     run->add_flag("--profile", request.profile, "print the CPU time of each phase of the step (of the first thread)");
     run->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
@@ -67,6 +70,8 @@ void add_resume(CLI::App& app, RunRequest& request, int& code) {
     resume->add_option("directory", request.directory, "run directory")->required();
     resume->add_option("--threads", request.threads, "threads")->check(CLI::Range(1, 256));
     resume->add_option("--stages", request.stage_cache, "cache of finished stages");
+    resume->add_option("--stop-at-step", request.stop_at_step,
+                       "leave a checkpoint after this many steps of all stages together");
     resume->add_flag_callback(
         "--quiet", [&] { request.show = Show::nothing; }, "no progress");
     resume->callback([&] { code = resume_case(request); });
@@ -110,6 +115,14 @@ void add_picture(CLI::App& app, PictureArguments& a) {
     picture->callback([&] { draw_pictures(a.run, a.output, a.frame); });
 }
 
+/// Exit code 1: they differ.
+int compare_checkpoints(const std::string& a, const std::string& b) {
+    const Checkpoint first = read_checkpoint(a), second = read_checkpoint(b);
+    const auto difference = find_difference(first.state, second.state);
+    fmt::print("step {}: {}\n", first.state.progress.total_steps, difference.value_or("equal"));
+    return difference ? 1 : 0;
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app{"ifedem: finite-element wheels on discrete-element soil, in two dimensions"};
     app.require_subcommand(1);
@@ -128,6 +141,11 @@ int run_program(int argc, char** argv) {
     PictureArguments picture;
     add_picture(app, picture);
     app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
+    std::string checkpoint_a, checkpoint_b;
+    auto* compare = app.add_subcommand("compare", "the first difference between two checkpoints");
+    compare->add_option("first", checkpoint_a, "checkpoint.h5")->required();
+    compare->add_option("second", checkpoint_b, "checkpoint.h5")->required();
+    compare->callback([&] { code = compare_checkpoints(checkpoint_a, checkpoint_b); });
     auto* press = app.add_subcommand("stiffness", "radial stiffness of wheels on a rigid plane");
     press->add_option("cases", stiffness.case_paths, "case files")->required();
     press->add_option("-o,--output", stiffness.directory, "directory for stiffness.csv")->required();

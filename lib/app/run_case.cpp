@@ -159,7 +159,7 @@ bool run_stage(LiveRun& run, Stage stage) {
             run.recorder->add_series(take_series_row(scene, state, work));
         if (recorded && (is_due(at, frame) || at == last)) run.recorder->add_frame(take_frame(scene, state, work));
         if (is_due(at, checkpoint) && at != last) write_run_checkpoint(run);
-        if (signal_seen != 0) {
+        if (signal_seen != 0 || state.progress.total_steps == run.request.stop_at_step) {
             write_run_checkpoint(run);
             return false;
         }
@@ -228,8 +228,10 @@ int finish(LiveRun& run, double cpu_s, double wall_s) {
         fs::remove(checkpoint_path(run), ignored);  // the run is whole: nothing is left to go on from
     }
     fmt::print("state-hash: {}\n", hash);
-    fmt::print("performance: steps={} particles={:.0f} cpu_s={:.2f} wall_s={:.2f} ns_per_particle_step={:.2f}\n",
-               run.steps_made, particles, cpu_s, wall_s, ns);
+    fmt::print(
+        "performance: steps={} particles={:.0f} cpu_s={:.2f} wall_s={:.2f} ns_per_particle_step={:.2f} "
+        "peak_MB={:.1f}\n",
+        run.steps_made, particles, cpu_s, wall_s, ns, peak_memory_MB());
     if (run.profile.on) print_profile(run.profile, cpu_s);
     return static_cast<int>(ExitCode::done);
 }
@@ -255,9 +257,13 @@ int go_through_stages(LiveRun& run, Stage first) {
             fmt::print(stderr, "{}: {}\n", label, to_text(*run.violation));
             return static_cast<int>(ExitCode::health);
         }
-        fmt::print(stderr, "{}: stopped by signal {}; `ifedem resume {}` goes on from step {}\n", label,
-                   static_cast<int>(signal_seen), run.request.directory, run.state.progress.total_steps);
-        return 128 + static_cast<int>(signal_seen);
+        const int signal = signal_seen;
+        fmt::print(stderr, "{}: stopped {}; `ifedem resume {}` goes on from step {}\n", label,
+                   signal != 0 ? fmt::format("by signal {}", signal) : "as asked", run.request.directory,
+                   run.state.progress.total_steps);
+        if (signal != 0) return 128 + signal;
+        fmt::print("state-hash: {}\n", to_hex(hash_state(run.state)));
+        return static_cast<int>(ExitCode::done);
     }
     run.progress.reset();
     const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall0).count();

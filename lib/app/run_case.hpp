@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct RunRequest {
     Existing existing = Existing::refuse;
     Show show = Show::progress;
     bool profile = false;
+    std::uint64_t stop_at_step = 0;  ///< of all stages together; 0: go on to the end
 };
 
 /// Simulates a case: stages found in the cache are taken from there, the travel is recorded in the directory. Returns

@@ -41,16 +41,20 @@ std::vector<RunValue> describe_stage(const Case& c, const State& state, Stage st
     return values;
 }
 
-std::vector<RunValue> describe_run(const Case& c, const State& state, int threads) {
+double peak_memory_MB() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+std::vector<RunValue> describe_run(const Case& c, const State& state, int threads) {
     std::vector<RunValue> values = {
         {"case", c.name, ""},
         {"version", program_version(), ""},
         {"results_version", fmt::format("{}", results_version), ""},
         {"compiler", compiler_name(), ""},
         {"threads", fmt::format("{}", threads), ""},
-        {"peak_memory_MB", fmt::format("{:.1f}", static_cast<double>(usage.ru_maxrss) / 1024), "MB"},
+        {"peak_memory_MB", fmt::format("{:.1f}", peak_memory_MB()), "MB"},
         {"total_steps", fmt::format("{}", state.progress.total_steps), ""},
     };
     return values;

@@ -14,6 +14,9 @@ namespace ifedem {
 /// Facts about a run: program, machine, peak memory.
 [[nodiscard]] std::vector<RunValue> describe_run(const Case& c, const State& state, int threads);
 
+/// Largest resident size of the process so far.
+[[nodiscard]] double peak_memory_MB();
+
 /// "name,value,unit" lines.
 [[nodiscard]] std::string to_csv(const std::vector<RunValue>& values);
 

@@ -97,13 +97,14 @@ void search_candidates(const DemConstants& k, const WheelModel& model, const Sta
         const Vec2 r = state.wheel.position_m[n] - hub;
         reach2 = max_of(reach2, dot(r, r));
     }
-    const double reach = std::sqrt(reach2) + k.largest_radius_m + wheel_skin_m;
+    const double reach = std::sqrt(reach2) + k.largest_radius_m + wheel_skin_m + 2 * largest_skin_m;
     const auto& disc = state.discs.disc;
     for (std::uint32_t p = 0; p < disc.size(); ++p) {
         const Vec2 centre{disc[p].x_m, disc[p].y_m};
         const Vec2 r = centre - hub;
         if (!(dot(r, r) <= reach * reach)) continue;
-        const double near = disc[p].radius_m + wheel_skin_m;
+        // Until the next refresh the disc stays within its skin of where it stood at the last one.
+        const double near = disc[p].radius_m + wheel_skin_m + 2 * state.pairs.inner_reference[p].skin_m;
         for (std::uint32_t s = 0; s < work.segment.size(); ++s) {
             const Segment& g = work.segment[s];
             const double share = min_of(1.0, max_of(0.0, share_along(g, centre)));
@@ -111,21 +112,17 @@ void search_candidates(const DemConstants& k, const WheelModel& model, const Sta
             if (dot(away, away) <= near * near) work.candidate.push_back({p, s});
         }
     }
-    work.refreshes_at_search = dem.refreshes, work.rebuilds_at_search = dem.rebuilds;
+    work.refreshes_at_search = dem.refreshes;
     work.search = false;
 }
 
-/// Boundary nodes may move half the skin, discs the other half: they move at most half an inner skin a refresh
-/// interval.
+/// With each refresh, since it says how far discs may go; and when a boundary node has moved by the wheel's skin.
 bool must_search(const WheelModel& model, const State& state, const DemWorkspace& dem, const WheelWorkspace& work) {
     if (work.search || work.searched_m.size() != model.mesh.boundary.size()) return true;
-    if (dem.rebuilds != work.rebuilds_at_search) return true;  // list positions have changed hands
-    const auto intervals = static_cast<double>(dem.refreshes - work.refreshes_at_search + 1);
-    if (intervals * 0.5 * inner_skin_m > 0.45 * wheel_skin_m) return true;
-    const double limit2 = 0.25 * wheel_skin_m * wheel_skin_m;
+    if (dem.refreshes != work.refreshes_at_search) return true;
     for (std::size_t n = 0; n < work.searched_m.size(); ++n) {
         const Vec2 moved = state.wheel.position_m[model.mesh.boundary[n]] - work.searched_m[n];
-        if (!(dot(moved, moved) <= limit2)) return true;
+        if (!(dot(moved, moved) <= wheel_skin_m * wheel_skin_m)) return true;
     }
     return false;
 }

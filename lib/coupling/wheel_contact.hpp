@@ -35,7 +35,7 @@ struct WheelContact {
 struct WheelWorkspace {
     std::vector<WheelCandidate> candidate;  ///< sorted by position, segment
     std::vector<Vec2> searched_m;           ///< boundary nodes at the last search
-    std::uint64_t refreshes_at_search = 0, rebuilds_at_search = 0;
+    std::uint64_t refreshes_at_search = 0;
     bool search = true;
     std::vector<Segment> segment;
     std::vector<Vec2> contact_force_N;  ///< per node: reaction of the soil
@@ -47,9 +47,9 @@ struct WheelWorkspace {
     std::uint32_t deepest_disc = 0;     ///< id
 };
 
-/// Distance by which the search looks beyond touching. It does not change results: candidates that do not touch add
-/// nothing.
-inline constexpr double wheel_skin_m = 2e-3;
+/// How far a boundary node may go before the search is repeated. It does not change results: candidates that do not
+/// touch add nothing.
+inline constexpr double wheel_skin_m = 1e-3;
 
 /// Contact forces between discs and the wheel's boundary (section 2.5): for the discs in dem.wheel_force and, shared by
 /// the segment's shape functions, in work.contact_force_N (both cleared first). Advances the tangential springs.

@@ -19,6 +19,7 @@ struct ContactConstants {
     double friction = 0;
     double damping_ratio_of_ratios = 0;  ///< C_s / C_n = √(K_s / K_n) at one ζ for both directions
     double rolling_chords = 0;  ///< rolling moment / (chord × spring force): α for the full chord, α/2 for the half
+    double rolling_cap = 0;     ///< of DemConstants::rolling_springs
     double smallest_normal_N = 0;  ///< 0: no attraction; −∞: the dashpot may pull until the overlap ends
 };
 

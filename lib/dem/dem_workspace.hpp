@@ -51,6 +51,7 @@ struct DemWorkspace {
     std::vector<std::uint32_t> i, j;            ///< list positions
     std::vector<std::uint32_t> slot_i, slot_j;  ///< force slots
     std::vector<double> damping_Ns_m;
+    std::vector<double> rolling_Nm;  ///< of DemConstants::rolling_springs, else empty
     std::vector<Merge> merge;
     std::vector<DiscForce> force;           ///< all blocks' slots
     std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
@@ -64,7 +65,7 @@ struct DemWorkspace {
     std::vector<WallCandidate> outer_wall;
     // Scratch of a refresh.
     std::vector<std::uint32_t> next_inner;
-    std::vector<double> next_spring_m;
+    std::vector<double> next_spring_m, next_rolling_Nm;
     std::vector<BoundaryContact> next_wall;
     bool refresh_inner = true;
     bool rebuild_outer = true;

@@ -32,17 +32,16 @@ void add_block_forces(const DemConstants& k, const Block& block, State& state, D
                       double spring_step_s) {
     std::fill(work.force.begin() + block.force_begin, work.force.begin() + block.force_end, DiscForce{});
     add_walls(k, block, state, work, spring_step_s);
-    const PairBatch batch{state.discs.disc.data(),
-                          work.i.data(),
-                          work.j.data(),
-                          work.slot_i.data(),
-                          work.slot_j.data(),
-                          work.damping_Ns_m.data(),
-                          state.pairs.tangential_m.data(),
-                          work.force.data(),
-                          block.pair_begin,
-                          block.pair_end,
-                          spring_step_s};
+    PairBatch batch;
+    batch.disc = state.discs.disc.data();
+    batch.i = work.i.data(), batch.j = work.j.data();
+    batch.slot_i = work.slot_i.data(), batch.slot_j = work.slot_j.data();
+    batch.damping_Ns_m = work.damping_Ns_m.data();
+    batch.spring_m = state.pairs.tangential_m.data();
+    batch.rolling_Nm = k.rolling_springs ? work.rolling_Nm.data() : nullptr;
+    batch.force = work.force.data();
+    batch.begin = block.pair_begin, batch.end = block.pair_end;
+    batch.spring_step_s = spring_step_s;
     work.pair_kernel(k.soil, batch);
 }
 

@@ -15,7 +15,7 @@ struct Grid {
     double x0 = 0, y0 = 0, inverse_size = 0;
     std::uint32_t columns = 0, rows = 0;
     std::vector<std::uint32_t> begin;  ///< per cell + 1
-    std::vector<std::uint32_t> item;   ///< list positions, ascending within a cell
+    std::vector<std::uint32_t> item;   ///< positions before sorting, ascending within a cell
 
     [[nodiscard]] std::uint32_t column(double x) const {
         return std::min(columns - 1, static_cast<std::uint32_t>(std::max(0.0, (x - x0) * inverse_size)));
@@ -56,10 +56,10 @@ void permute(std::vector<T>& items, const std::vector<std::uint32_t>& order) {
     items.swap(moved);
 }
 
-/// A pair's spring, filed under its lower id.
+/// A pair's springs, filed under its lower id.
 struct KeptSpring {
     std::uint32_t other_id = 0;
-    double tangential_m = 0;
+    double tangential_m = 0, rolling_Nm = 0;
 };
 
 /// Springs by lower disc id; few a disc, so a linear search finds them.
@@ -67,31 +67,32 @@ struct KeptSprings {
     std::vector<std::uint32_t> begin;
     std::vector<KeptSpring> spring;
 
-    [[nodiscard]] double find(std::uint32_t id_a, std::uint32_t id_b) const {
+    [[nodiscard]] KeptSpring find(std::uint32_t id_a, std::uint32_t id_b) const {
         const std::uint32_t low = std::min(id_a, id_b), high = std::max(id_a, id_b);
         for (std::uint32_t s = begin[low]; s < begin[low + 1]; ++s)
-            if (spring[s].other_id == high) return spring[s].tangential_m;
-        return 0.0;
+            if (spring[s].other_id == high) return spring[s];
+        return {};
     }
 };
 
-KeptSprings keep_springs(const State& state) {
+KeptSprings keep_springs(const State& state, const DemWorkspace& work) {
     const auto& p = state.pairs;
     const auto& id = state.discs.id;
     KeptSprings kept;
     kept.begin.assign(id.size() + 1, 0);
     const auto each_loaded = [&](auto&& visit) {
         for (std::size_t n = 0; n < p.inner.size(); ++n) {
-            if (p.tangential_m[n] == 0.0) continue;
+            const double rolling = work.rolling_Nm.empty() ? 0.0 : work.rolling_Nm[n];
+            if (p.tangential_m[n] == 0.0 && rolling == 0.0) continue;
             const std::uint32_t a = id[p.i[p.inner[n]]], b = id[p.j[p.inner[n]]];
-            visit(std::min(a, b), std::max(a, b), p.tangential_m[n]);
+            visit(std::min(a, b), KeptSpring{std::max(a, b), p.tangential_m[n], rolling});
         }
     };
-    each_loaded([&](std::uint32_t low, std::uint32_t, double) { ++kept.begin[low + 1]; });
+    each_loaded([&](std::uint32_t low, const KeptSpring&) { ++kept.begin[low + 1]; });
     for (std::size_t k = 1; k < kept.begin.size(); ++k) kept.begin[k] += kept.begin[k - 1];
     kept.spring.resize(kept.begin.back());
     std::vector<std::uint32_t> next(kept.begin.begin(), kept.begin.end() - 1);
-    each_loaded([&](std::uint32_t low, std::uint32_t high, double u) { kept.spring[next[low]++] = {high, u}; });
+    each_loaded([&](std::uint32_t low, const KeptSpring& spring) { kept.spring[next[low]++] = spring; });
     return kept;
 }
 
@@ -100,35 +101,109 @@ double distance_squared(const Disc& a, const Disc& b) {
     return dx * dx + dy * dy;
 }
 
-bool is_within(const Disc& a, const Disc& b, double skin_m) {
-    const double reach = a.radius_m + b.radius_m + skin_m;
+bool is_within(const Disc& a, const Disc& b, double skins_m) {
+    const double reach = a.radius_m + b.radius_m + skins_m;
     return distance_squared(a, b) <= reach * reach;
 }
 
-/// All pairs within the outer skin, sorted by i then j.
+double speed_squared(const Disc& d) { return d.vx_m_s * d.vx_m_s + d.vy_m_s * d.vy_m_s; }
+
+/// How much wider a disc's skin is than the usual one: 1 up to `swift_speed` times the rms speed.
+class SkinWidth {
+public:
+    explicit SkinWidth(const std::vector<Disc>& discs) {
+        double sum = 0;
+        for (const Disc& d : discs) sum += speed_squared(d);
+        limit2_ = swift_speed * swift_speed * sum / static_cast<double>(discs.size());
+    }
+    [[nodiscard]] double operator()(const Disc& d) const {
+        const double v2 = speed_squared(d);
+        return v2 > limit2_ ? std::sqrt(v2 / limit2_) : 1.0;  // infinite if only this disc moves at all
+    }
+
+private:
+    double limit2_ = 0;
+};
+
+void note_outer_references(State& state) {
+    const SkinWidth width(state.discs.disc);
+    auto& reference = state.pairs.reference;
+    reference.clear();
+    for (const Disc& d : state.discs.disc)
+        reference.push_back({d.x_m, d.y_m, min_of(outer_skin_m * width(d), largest_skin_m)});
+}
+
+/// An inner skin ends where the outer one does, so that no pair can come near unseen.
+void note_inner_references(State& state) {
+    const SkinWidth width(state.discs.disc);
+    const auto& disc = state.discs.disc;
+    const auto& outer = state.pairs.reference;
+    auto& reference = state.pairs.inner_reference;
+    reference.resize(disc.size());
+    for (std::size_t p = 0; p < disc.size(); ++p) {
+        const double dx = disc[p].x_m - outer[p].x_m, dy = disc[p].y_m - outer[p].y_m;
+        const double left = outer[p].skin_m - std::sqrt(dx * dx + dy * dy);
+        reference[p] = {disc[p].x_m, disc[p].y_m, min_of(inner_skin_m * width(disc[p]), left)};
+    }
+}
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Pairs with at least one disc whose outer skin is wider than usual, sorted; the discs are sorted by cell.
+std::vector<Pair> find_swift_pairs(const Grid& grid, const State& state) {
+    const auto& disc = state.discs.disc;
+    const auto& reference = state.pairs.reference;
+    double widest = 0, largest = 0;
+    for (std::uint32_t p = 0; p < disc.size(); ++p)
+        widest = max_of(widest, reference[p].skin_m), largest = max_of(largest, disc[p].radius_m);
+    std::vector<Pair> pairs;
+    for (std::uint32_t i = 0; i < disc.size(); ++i) {
+        if (reference[i].skin_m <= outer_skin_m) continue;
+        const double reach = disc[i].radius_m + largest + reference[i].skin_m + widest;
+        const auto cells = static_cast<std::uint32_t>(reach * grid.inverse_size) + 1;
+        const std::uint32_t cx = grid.column(disc[i].x_m), cy = grid.row(disc[i].y_m);
+        const std::uint32_t row0 = cy - std::min(cy, cells), row1 = std::min(cy + cells, grid.rows - 1);
+        for (std::uint32_t x = cx - std::min(cx, cells); x <= std::min(cx + cells, grid.columns - 1); ++x) {
+            const std::uint32_t last = grid.begin[x * grid.rows + row1 + 1];
+            for (std::uint32_t n = grid.begin[x * grid.rows + row0]; n < last; ++n)
+                if (n != i && is_within(disc[i], disc[n], reference[i].skin_m + reference[n].skin_m))
+                    pairs.emplace_back(std::min(i, n), std::max(i, n));
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());  // two swift discs find each other twice
+    return pairs;
+}
+
+/// All pairs within their outer skins, sorted by i then j.
 void find_outer_pairs(const Grid& grid, State& state) {
     const auto& disc = state.discs.disc;
+    const auto& reference = state.pairs.reference;
+    const std::vector<Pair> swift = find_swift_pairs(grid, state);
     auto& p = state.pairs;
     p.i.clear(), p.j.clear();
     std::vector<std::uint32_t> near;
+    std::size_t next_swift = 0;
     for (std::uint32_t i = 0; i < disc.size(); ++i) {
         near.clear();
         const std::uint32_t cx = grid.column(disc[i].x_m), cy = grid.row(disc[i].y_m);
-        for (std::uint32_t x = cx == 0 ? 0 : cx - 1; x <= std::min(cx + 1, grid.columns - 1); ++x) {
+        const bool usual = reference[i].skin_m <= outer_skin_m;
+        for (std::uint32_t x = cx == 0 ? 0 : cx - 1; usual && x <= std::min(cx + 1, grid.columns - 1); ++x) {
             const std::uint32_t row0 = cy == 0 ? 0 : cy - 1, row1 = std::min(cy + 1, grid.rows - 1);
             const std::uint32_t first = grid.begin[x * grid.rows + row0], last = grid.begin[x * grid.rows + row1 + 1];
             // Cells of a column follow each other and the discs are sorted by cell: positions ascend.
             for (std::uint32_t n = std::max(first, i + 1); n < last; ++n)
-                if (is_within(disc[i], disc[n], outer_skin_m)) near.push_back(n);
+                if (is_within(disc[i], disc[n], 2 * outer_skin_m) && reference[n].skin_m <= outer_skin_m)
+                    near.push_back(n);
+        }
+        if (next_swift < swift.size() && swift[next_swift].first == i) {
+            for (; next_swift < swift.size() && swift[next_swift].first == i; ++next_swift)
+                near.push_back(swift[next_swift].second);
+            std::sort(near.begin(), near.end());
         }
         p.i.insert(p.i.end(), near.size(), i);
         p.j.insert(p.j.end(), near.begin(), near.end());
     }
-}
-
-void note_positions(const std::vector<Disc>& disc, std::vector<Vec2>& reference) {
-    reference.resize(disc.size());
-    for (std::size_t p = 0; p < disc.size(); ++p) reference[p] = {disc[p].x_m, disc[p].y_m};
 }
 
 void note_ids(const State& state, DemWorkspace& work) {
@@ -146,15 +221,13 @@ void sort_by_position(std::vector<BoundaryContact>& contacts, const DemWorkspace
 
 void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work) {
     auto& discs = state.discs;
-    const KeptSprings kept = keep_springs(state);
-    const double size = 2 * k.largest_radius_m + outer_skin_m;
-    const Grid before = make_grid(discs.disc, size);
-    permute(discs.disc, before.item);
-    permute(discs.id, before.item);
-    permute(discs.acceleration, before.item);
-    const Grid grid = make_grid(discs.disc, size);
+    const KeptSprings kept = keep_springs(state, work);
+    const Grid grid = make_grid(discs.disc, 2 * (k.largest_radius_m + outer_skin_m));
+    permute(discs.disc, grid.item);
+    permute(discs.id, grid.item);
+    permute(discs.acceleration, grid.item);
+    note_outer_references(state);
     find_outer_pairs(grid, state);
-    note_positions(discs.disc, state.pairs.reference_m);
     note_ids(state, work);
     sort_by_position(state.wall_contacts, work);
     sort_by_position(state.wheel_contacts, work);
@@ -163,7 +236,12 @@ void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work)
     p.inner.resize(p.i.size());
     std::iota(p.inner.begin(), p.inner.end(), 0U);
     p.tangential_m.resize(p.i.size());
-    for (std::size_t n = 0; n < p.i.size(); ++n) p.tangential_m[n] = kept.find(discs.id[p.i[n]], discs.id[p.j[n]]);
+    if (k.rolling_springs) work.rolling_Nm.resize(p.i.size());
+    for (std::size_t n = 0; n < p.i.size(); ++n) {
+        const KeptSpring spring = kept.find(discs.id[p.i[n]], discs.id[p.j[n]]);
+        p.tangential_m[n] = spring.tangential_m;
+        if (k.rolling_springs) work.rolling_Nm[n] = spring.rolling_Nm;
+    }
     ++work.rebuilds;
 }
 
@@ -171,12 +249,16 @@ void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work)
 /// so one walk along the outer one does; it writes every pair and moves on behind those that stay, without a branch.
 void refresh_inner_list(State& state, DemWorkspace& work) {
     auto& p = state.pairs;
+    note_inner_references(state);
     const Disc* disc = state.discs.disc.data();
+    const Reference* reference = p.inner_reference.data();
     const auto outer_count = static_cast<std::uint32_t>(p.i.size());
     for (auto* list : {&work.i, &work.j, &work.slot_i, &work.slot_j, &work.next_inner}) list->resize(outer_count);
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(outer_count);
     p.inner.push_back(outer_count);  // sentinels: never met
     p.tangential_m.push_back(0.0);
+    const bool rolling_springs = !work.rolling_Nm.empty();
+    if (rolling_springs) work.rolling_Nm.push_back(0.0), work.next_rolling_Nm.resize(outer_count);
     std::size_t kept = 0, old = 0;
     for (Block& block : work.block) {
         block.pair_begin = static_cast<std::uint32_t>(kept);
@@ -187,8 +269,10 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
             work.damping_Ns_m[kept] = work.outer_damping_Ns_m[n];
             work.next_inner[kept] = n;
             work.next_spring_m[kept] = was_listed ? p.tangential_m[old] : 0.0;
-            old += was_listed ? 1 : 0;
-            kept += is_within(disc[p.i[n]], disc[p.j[n]], inner_skin_m) ? 1 : 0;
+            if (rolling_springs) work.next_rolling_Nm[kept] = was_listed ? work.rolling_Nm[old] : 0.0;
+            old += was_listed ? 1U : 0U;
+            const double skins_m = reference[p.i[n]].skin_m + reference[p.j[n]].skin_m;
+            kept += is_within(disc[p.i[n]], disc[p.j[n]], skins_m) ? 1U : 0U;
         }
         block.pair_end = static_cast<std::uint32_t>(kept);
     }
@@ -196,7 +280,7 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(kept);
     p.inner.swap(work.next_inner);
     p.tangential_m.swap(work.next_spring_m);
-    note_positions(state.discs.disc, p.inner_reference_m);
+    if (rolling_springs) work.next_rolling_Nm.resize(kept), work.rolling_Nm.swap(work.next_rolling_Nm);
     ++work.refreshes;
 }
 
@@ -211,10 +295,11 @@ void find_outer_walls(const DemConstants& k, const State& state, DemWorkspace& w
     work.outer_wall.clear();
     const auto walls = static_cast<std::uint32_t>(k.flat_walls.size() + k.wall_discs.size());
     for (std::uint32_t p = 0; p < state.discs.disc.size(); ++p) {
+        const Reference& reference = state.pairs.reference[p];
         Disc there = state.discs.disc[p];
-        there.x_m = state.pairs.reference_m[p].x, there.y_m = state.pairs.reference_m[p].y;
+        there.x_m = reference.x_m, there.y_m = reference.y_m;
         for (std::uint32_t w = 0; w < walls; ++w)
-            if (wall_gap(k, w, there) <= outer_skin_m) work.outer_wall.push_back({p, w});
+            if (wall_gap(k, w, there) <= reference.skin_m) work.outer_wall.push_back({p, w});
     }
 }
 
@@ -235,7 +320,8 @@ void refresh_wall_contacts(const DemConstants& k, State& state, DemWorkspace& wo
     std::size_t old = 0;
     const auto& before = state.wall_contacts;
     for (const WallCandidate& c : work.outer_wall) {
-        if (wall_gap(k, c.wall, state.discs.disc[c.position]) > inner_skin_m) continue;
+        if (wall_gap(k, c.wall, state.discs.disc[c.position]) > state.pairs.inner_reference[c.position].skin_m)
+            continue;
         BoundaryContact contact{state.discs.id[c.position], c.wall, 0.0};
         while (old < before.size()) {
             const std::uint32_t at = work.position_of_id[before[old].disc];
@@ -360,27 +446,24 @@ void update_lists(const DemConstants& k, State& state, DemWorkspace& work) {
 void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
     work.pair_kernel = choose_pair_kernel();
     note_ids(state, work);
-    work.rebuild_outer = work.refresh_inner = state.pairs.reference_m.empty();
+    work.rebuild_outer = work.refresh_inner = state.pairs.reference.empty();
     if (work.rebuild_outer) return;
     lay_out(k, state, work);
     unpack_pairs(state, work);
     unpack_walls(state, work);
-    watch_movement(state, work);
+    if (k.rolling_springs) work.rolling_Nm.assign(work.i.size(), 0.0);
+    const auto left = [&](std::size_t p) { return has_left(state.discs.disc[p], state.pairs.inner_reference[p]); };
+    for (std::size_t p = 0; p < state.discs.disc.size(); ++p)
+        if (left(p)) return ask_for_lists(state, work);
 }
 
-void watch_movement(const State& state, DemWorkspace& work) {
+void ask_for_lists(const State& state, DemWorkspace& work) {
+    work.refresh_inner = true;
     const auto& disc = state.discs.disc;
-    const auto moved = [&](const std::vector<Vec2>& reference, double limit) {
-        for (std::size_t p = 0; p < disc.size(); ++p) {
-            const double dx = disc[p].x_m - reference[p].x, dy = disc[p].y_m - reference[p].y;
-            if (!(dx * dx + dy * dy <= limit * limit)) return true;  // written so that NaN counts as moved
-        }
-        return false;
-    };
-    if (moved(state.pairs.inner_reference_m, 0.5 * inner_skin_m)) {
-        work.refresh_inner = true;
-        // A pair within the inner skin now was within the outer one then, if neither disc has moved further than this.
-        if (moved(state.pairs.reference_m, 0.5 * (outer_skin_m - inner_skin_m))) work.rebuild_outer = true;
+    for (std::size_t p = 0; p < disc.size() && !work.rebuild_outer; ++p) {
+        Reference spare = state.pairs.reference[p];
+        spare.skin_m -= inner_skin_m;
+        work.rebuild_outer = has_left(disc[p], spare);
     }
 }
 

@@ -14,6 +14,7 @@ struct PairBatch {
     const std::uint32_t *i = nullptr, *j = nullptr, *slot_i = nullptr, *slot_j = nullptr;
     const double* damping_Ns_m = nullptr;
     double* spring_m = nullptr;
+    double* rolling_Nm = nullptr;  ///< nullptr: Eq 2.18
     DiscForce* force = nullptr;
     std::uint32_t begin = 0, end = 0;
     double spring_step_s = 0;
@@ -25,6 +26,9 @@ using PairKernel = void (*)(const ContactConstants&, const PairBatch&);
 void add_pairs_sse2(const ContactConstants& k, const PairBatch& batch);
 void add_pairs_avx2(const ContactConstants& k, const PairBatch& batch);
 void add_pairs_avx512(const ContactConstants& k, const PairBatch& batch);
+
+/// Rolling resistance between discs: Eq 2.18, or other codes' spring (DemConstants::rolling_springs).
+enum class PairRolling { chord, spring };
 
 /// What a pair's law needs of one disc.
 template <class V>
@@ -40,6 +44,7 @@ struct PairMotion {
     V arm_i, arm_j;  ///< from the centres to the contact point
     V ux, uy;        ///< velocity of i relative to j
     V omega_i, omega_j;
+    V reduced_radius;  ///< for rolling springs only
 };
 
 /// What a pair gives to its discs; the force is that on j, the opposite acts on i.
@@ -48,7 +53,7 @@ struct PairForces {
     V x, y, moment_i, moment_j, rolling, spring;
 };
 
-template <class V>
+template <PairRolling R, class V>
 IFEDEM_INLINE PairMotion<V> pair_motion(const PairSide<V>& i, const PairSide<V>& j) {
     const V dx = j.x - i.x, dy = j.y - i.y;
     const V distance = root(dx * dx + dy * dy);
@@ -56,8 +61,17 @@ IFEDEM_INLINE PairMotion<V> pair_motion(const PairSide<V>& i, const PairSide<V>&
     const V inverse = 1.0 / distance;
     const V half_overlap = 0.5 * overlap;
     const V chord = inverse * root(max_of(chord_product(distance, overlap, i.radius, j.radius), V(0.0)));
-    return {dx * inverse, dy * inverse, overlap, chord,  i.radius - half_overlap, j.radius - half_overlap,
-            i.vx - j.vx,  i.vy - j.vy,  i.omega, j.omega};
+    return {dx * inverse,
+            dy * inverse,
+            overlap,
+            chord,
+            i.radius - half_overlap,
+            j.radius - half_overlap,
+            i.vx - j.vx,
+            i.vy - j.vy,
+            i.omega,
+            j.omega,
+            R == PairRolling::spring ? i.radius * j.radius / (i.radius + j.radius) : V(0.0)};
 }
 
 /// Eq 2.17 between discs i and j.
@@ -76,13 +90,26 @@ IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairMot
             f.tangential_spring_m};
 }
 
+/// Adds the moment of a rolling spring, whose memory it advances.
+template <class V>
+IFEDEM_INLINE void add_rolling_spring(const ContactConstants& k, const PairMotion<V>& p, V step_s, PairForces<V>& f,
+                                      V& moment_Nm) {
+    const V normal = f.x * p.nx + f.y * p.ny;
+    const V cap = (k.rolling_cap * p.reduced_radius) * max_of(normal, V(0.0));
+    const V stiffness = k.tangential_stiffness_N_m * (p.reduced_radius * p.reduced_radius);
+    moment_Nm = max_of(V(0.0) - cap, min_of(cap, moment_Nm + stiffness * ((p.omega_i - p.omega_j) * step_s)));
+    f.moment_i = f.moment_i - moment_Nm, f.moment_j = f.moment_j + moment_Nm, f.rolling = V(0.0);
+}
+
 /// One pair; also the tail of a block.
+template <PairRolling R>
 IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, std::uint32_t n) {
     const Disc &di = b.disc[b.i[n]], &dj = b.disc[b.j[n]];
-    const auto motion = pair_motion<double>({di.x_m, di.y_m, di.vx_m_s, di.vy_m_s, di.omega_rad_s, di.radius_m},
-                                            {dj.x_m, dj.y_m, dj.vx_m_s, dj.vy_m_s, dj.omega_rad_s, dj.radius_m});
-    const auto f = pair_forces<double>(k, motion, b.damping_Ns_m[n], b.spring_m[n], b.spring_step_s);
+    const auto motion = pair_motion<R, double>({di.x_m, di.y_m, di.vx_m_s, di.vy_m_s, di.omega_rad_s, di.radius_m},
+                                               {dj.x_m, dj.y_m, dj.vx_m_s, dj.vy_m_s, dj.omega_rad_s, dj.radius_m});
+    auto f = pair_forces<double>(k, motion, b.damping_Ns_m[n], b.spring_m[n], b.spring_step_s);
     b.spring_m[n] = f.spring;
+    if constexpr (R == PairRolling::spring) add_rolling_spring<double>(k, motion, b.spring_step_s, f, b.rolling_Nm[n]);
     DiscForce& on_i = b.force[b.slot_i[n]];
     on_i.x_N -= f.x, on_i.y_N -= f.y, on_i.moment_Nm += f.moment_i, on_i.rolling_limit_Nm += f.rolling;
     DiscForce& on_j = b.force[b.slot_j[n]];
@@ -160,18 +187,18 @@ IFEDEM_INLINE PairSide<Pack<8>> load_side<8>(const Disc* disc, const std::uint32
             {P::FromRaw{}, __builtin_shufflevector(o15a, o15b, 2, 3, 6, 7, 10, 11, 14, 15)}};
 }
 
-/// W lanes of the columns x, y, moment, rolling as W force records, in lane order.
+/// W lanes of the columns x, y, moment, rolling as the first W force records, in lane order.
 template <int W>
-IFEDEM_INLINE void to_records(const Pack<W> (&in)[4], Four (&out)[W]);
+IFEDEM_INLINE void to_records(const Pack<W> (&in)[4], Four (&out)[8]);
 
 template <>
-IFEDEM_INLINE void to_records<2>(const Pack<2> (&in)[4], Four (&out)[2]) {
+IFEDEM_INLINE void to_records<2>(const Pack<2> (&in)[4], Four (&out)[8]) {
     out[0] = Four{in[0].v[0], in[1].v[0], in[2].v[0], in[3].v[0]};
     out[1] = Four{in[0].v[1], in[1].v[1], in[2].v[1], in[3].v[1]};
 }
 
 template <>
-IFEDEM_INLINE void to_records<4>(const Pack<4> (&in)[4], Four (&out)[4]) {
+IFEDEM_INLINE void to_records<4>(const Pack<4> (&in)[4], Four (&out)[8]) {
     const Four a = __builtin_shufflevector(in[0].v, in[1].v, 0, 4, 2, 6),
                b = __builtin_shufflevector(in[0].v, in[1].v, 1, 5, 3, 7);
     const Four c = __builtin_shufflevector(in[2].v, in[3].v, 0, 4, 2, 6),
@@ -207,7 +234,7 @@ IFEDEM_INLINE void add_record(DiscForce& to, const Four& f) {
 /// Sums pair by pair, i before j: the order of the scalar loop, hence its bits.
 template <int W>
 IFEDEM_INLINE void scatter(const PairBatch& b, std::uint32_t n, const PairForces<Pack<W>>& f) {
-    Four on_i[W], on_j[W];
+    Four on_i[8], on_j[8];
     to_records<W>({Pack<W>(0.0) - f.x, Pack<W>(0.0) - f.y, f.moment_i, f.rolling}, on_i);
     to_records<W>({f.x, f.y, f.moment_j, f.rolling}, on_j);
     for (int lane = 0; lane < W; ++lane) {
@@ -218,44 +245,56 @@ IFEDEM_INLINE void scatter(const PairBatch& b, std::uint32_t n, const PairForces
 }
 
 /// W pairs from `n` on.
-template <int W>
+template <PairRolling R, int W>
 IFEDEM_INLINE PairMotion<Pack<W>> gather(const PairBatch& b, std::uint32_t n) {
-    return pair_motion<Pack<W>>(load_side<W>(b.disc, b.i + n), load_side<W>(b.disc, b.j + n));
+    return pair_motion<R, Pack<W>>(load_side<W>(b.disc, b.i + n), load_side<W>(b.disc, b.j + n));
 }
 
 /// Their law; the springs are stored.
-template <int W>
+template <PairRolling R, int W>
 IFEDEM_INLINE PairForces<Pack<W>> compute(const ContactConstants& k, const PairBatch& b, std::uint32_t n,
                                           const PairMotion<Pack<W>>& motion) {
-    const auto f =
-        pair_forces<Pack<W>>(k, motion, Pack<W>(b.damping_Ns_m + n), Pack<W>(b.spring_m + n), b.spring_step_s);
+    auto f = pair_forces<Pack<W>>(k, motion, Pack<W>(b.damping_Ns_m + n), Pack<W>(b.spring_m + n), b.spring_step_s);
     f.spring.store(b.spring_m + n);
+    if constexpr (R == PairRolling::spring) {
+        Pack<W> moment(b.rolling_Nm + n);
+        add_rolling_spring<Pack<W>>(k, motion, b.spring_step_s, f, moment);
+        moment.store(b.rolling_Nm + n);
+    }
     return f;
 }
 
 /// Software-pipelined in three stages, so that the roots and the division of one batch are under way while the law of
 /// the batch before and the sums of the one before that are done; in program order a batch would wait for each of
 /// them. Constants are copied so that no store can be thought to change them.
-template <int W>
-IFEDEM_INLINE void add_pairs(const ContactConstants& constants, const PairBatch& batch) {
+template <PairRolling R, int W>
+IFEDEM_INLINE void add_pairs_as(const ContactConstants& constants, const PairBatch& batch) {
     const ContactConstants k = constants;
     const PairBatch b = batch;
     std::uint32_t n = b.begin;
     if (n + 2 * W <= b.end) {
-        auto motion = gather<W>(b, n);
-        auto forces = compute<W>(k, b, n, motion);
-        motion = gather<W>(b, n + W);
+        auto motion = gather<R, W>(b, n);
+        auto forces = compute<R, W>(k, b, n, motion);
+        motion = gather<R, W>(b, n + W);
         for (n += 2 * W; n + W <= b.end; n += W) {
-            const auto next = gather<W>(b, n);
+            const auto next = gather<R, W>(b, n);
             const auto ready = forces;
-            forces = compute<W>(k, b, n - W, motion);
+            forces = compute<R, W>(k, b, n - W, motion);
             scatter<W>(b, n - 2 * W, ready);
             motion = next;
         }
         scatter<W>(b, n - 2 * W, forces);
-        scatter<W>(b, n - W, compute<W>(k, b, n - W, motion));
+        scatter<W>(b, n - W, compute<R, W>(k, b, n - W, motion));
     }
-    for (; n < b.end; ++n) add_one_pair(k, b, n);
+    for (; n < b.end; ++n) add_one_pair<R>(k, b, n);
+}
+
+template <int W>
+IFEDEM_INLINE void add_pairs(const ContactConstants& k, const PairBatch& batch) {
+    if (batch.rolling_Nm == nullptr)
+        add_pairs_as<PairRolling::chord, W>(k, batch);
+    else
+        add_pairs_as<PairRolling::spring, W>(k, batch);
 }
 
 }  // namespace ifedem

@@ -12,7 +12,11 @@ namespace {
 
 /// The scalar fallback, and what the vector kernels must equal.
 void add_pairs_scalar(const ContactConstants& k, const PairBatch& batch) {
-    for (std::uint32_t n = batch.begin; n < batch.end; ++n) add_one_pair(k, batch, n);
+    for (std::uint32_t n = batch.begin; n < batch.end; ++n)
+        if (batch.rolling_Nm == nullptr)
+            add_one_pair<PairRolling::chord>(k, batch, n);
+        else
+            add_one_pair<PairRolling::spring>(k, batch, n);
 }
 
 bool has_width(int width) {

@@ -17,6 +17,8 @@ constexpr std::size_t size_of_members<Vec2> = 2 * sizeof(double);
 template <>
 constexpr std::size_t size_of_members<Disc> = 8 * sizeof(double);
 template <>
+constexpr std::size_t size_of_members<Reference> = 3 * sizeof(double);
+template <>
 constexpr std::size_t size_of_members<DiscAcceleration> = 4 * sizeof(double);
 template <>
 constexpr std::size_t size_of_members<BoundaryContact> = 2 * sizeof(std::uint32_t) + sizeof(double);

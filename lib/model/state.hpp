@@ -33,15 +33,20 @@ struct DiscState {
     std::vector<DiscAcceleration> acceleration;  ///< empty for the symplectic integrator
 };
 
-/// Neighbours closer than radii + skin, each pair once, with the elastic tangential displacement of its contact.
+/// Where a disc stood when a list was made, and how far it may go from there before the list is made anew.
+struct Reference {
+    double x_m = 0, y_m = 0, skin_m = 0;
+};
+
+/// Neighbours closer than radii + skins, each pair once, with the elastic tangential displacement of its contact.
 /// i and j are list positions, i < j, sorted by i then j.
 struct PairState {
     std::vector<std::uint32_t> i, j;
     std::vector<double> tangential_m;  ///< Δu_s of Eq 2.17; 0 out of contact
-    std::vector<Vec2> reference_m;     ///< disc positions at the last rebuild, list order
+    std::vector<Reference> reference;  ///< of the last rebuild, list order
     // The inner list: entries of the outer one that are near enough to touch before the next refresh.
-    std::vector<std::uint32_t> inner;     ///< index into i, j
-    std::vector<Vec2> inner_reference_m;  ///< disc positions at the last refresh
+    std::vector<std::uint32_t> inner;        ///< index into i, j
+    std::vector<Reference> inner_reference;  ///< of the last refresh
 };
 
 /// Contact of a disc with a wall or a wheel segment: who, and the tangential displacement.
@@ -131,9 +136,9 @@ void for_each_member(S& s, F&& f) {
     f("pairs/i", s.pairs.i);
     f("pairs/j", s.pairs.j);
     f("pairs/tangential_m", s.pairs.tangential_m);
-    f("pairs/reference_m", s.pairs.reference_m);
+    f("pairs/reference", s.pairs.reference);
     f("pairs/inner", s.pairs.inner);
-    f("pairs/inner_reference_m", s.pairs.inner_reference_m);
+    f("pairs/inner_reference", s.pairs.inner_reference);
     f("wall_contacts", s.wall_contacts);
     f("wheel_contacts", s.wheel_contacts);
     f("wheel/position_m", s.wheel.position_m);

@@ -13,6 +13,7 @@
 #include "core/hash.hpp"
 #include "record/files.hpp"
 #include "record/hdf5.hpp"
+#include "record/state_fields.hpp"
 
 // A checkpoint is an HDF5 file with 16 bytes after its end: a magic word and a checksum of all before. HDF5 ignores
 // what follows its own end, so h5dump and h5py read the file; we look at the checksum first, so HDF5 never sees a
@@ -41,38 +42,6 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
 }
 
 // ---------------------------------------------------------------------------------------------- the layout of members
-
-/// Names of an aggregate's doubles, each ending in its unit, for whoever opens the file with other tools. An aggregate
-/// without names here is stored just as well.
-template <class T>
-constexpr const char* fields_of = "";
-template <>
-constexpr const char* fields_of<Vec2> = "x,y";
-template <>
-constexpr const char* fields_of<Disc> = "x_m,y_m,vx_m_s,vy_m_s,omega_rad_s,radius_m,inverse_mass_1_kg,angle_rad";
-template <>
-constexpr const char* fields_of<DiscAcceleration> = "x_m_s2,y_m_s2,angular_rad_s2,unused";
-template <>
-constexpr const char* fields_of<BoundaryContact> = "disc,surface,tangential_m";
-template <>
-constexpr const char* fields_of<RigidBody> = "x_m,y_m,vx_m_s,vy_m_s,angle_rad,omega_rad_s";
-template <>
-constexpr const char* fields_of<PidState> = "error_sum,error_old,output,target";
-template <>
-constexpr const char* fields_of<EnergyLedger> =
-    "work_torque_J,work_drawbar_J,lost_normal_J,lost_tangential_J,lost_rolling_J,"
-    "lost_wheel_J";
-template <>
-constexpr const char* fields_of<SeriesSums> =
-    "steps,drawbar_N,torque_Nm,fx_positive_N,fx_negative_N,fy_N,effective_radius_m,hub_speed_m_s,"
-    "omega_clockwise_rad_s";
-
-template <class T>
-constexpr bool fields_are_complete() {
-    const std::string_view fields = fields_of<T>;
-    return fields.empty() ||
-           (static_cast<std::size_t>(std::ranges::count(fields, ',')) + 1) * sizeof(double) == sizeof(T);
-}
 
 /// An aggregate of doubles, as state.hpp promises: HDF5 copies the bits without looking at them.
 template <class T>

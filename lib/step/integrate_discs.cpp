@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "dem/neighbour_lists.hpp"
+
 namespace ifedem {
 namespace {
-
-double squared(double a) { return a * a; }
 
 /// Accelerations under the gathered forces; rolling resistance counts as what it does to ω within the step.
 DiscAcceleration acceleration_of(const DemConstants& k, const Disc& d, const DiscForce& f) {
@@ -34,17 +34,16 @@ void predict(Disc& d, const DiscAcceleration& a, double dt) {
 }
 
 /// Calls move(disc, its force, position). The search for discs that have left their skin rides along;
-/// watch_movement() then says which list is due.
+/// ask_for_lists() then says which list is due.
 template <class F>
 void move_discs(State& state, const DemWorkspace& work, Block& block, F&& move) {
-    constexpr double limit2 = 0.25 * inner_skin_m * inner_skin_m;
     const DiscForce* force = work.force.data() + block.force_begin;  // a block's own slots come first, in disc order
     Disc* disc = state.discs.disc.data();
-    const Vec2* reference = state.pairs.inner_reference_m.data();
+    const Reference* reference = state.pairs.inner_reference.data();
     bool moved = false;
     for (std::uint32_t p = block.disc_begin; p < block.disc_end; ++p, ++force) {
         move(disc[p], *force, p);
-        moved |= !(squared(disc[p].x_m - reference[p].x) + squared(disc[p].y_m - reference[p].y) <= limit2);
+        moved |= has_left(disc[p], reference[p]);
     }
     block.moved = moved;
 }

@@ -35,7 +35,7 @@ void step(const Scene& scene, State& state, Workspace& work) {
         lap(Phase::discs);
     }
     if (std::any_of(work.dem.block.begin(), work.dem.block.end(), [](const Block& b) { return b.moved; }))
-        watch_movement(state, work.dem);
+        ask_for_lists(state, work.dem);
     lap(Phase::watch);
     ++state.progress.step;
     ++state.progress.total_steps;

@@ -9,7 +9,7 @@ DAMPINGS := 0 1 5 20
 SPEEDS   := 0.2 0.1 0.05
 LAYER    := $(foreach d,$(DAMPINGS),$(foreach v,$(SPEEDS),damping$(d)-speed$(v)))
 # 3: the rim, rigid or elastic, at one step that both can take
-RIM      := $(foreach r,1 2 3 4,rim-rigid-r$(r) rim-elastic-r$(r))
+RIM      := $(foreach r,1 2 3 4 5 6 7 8,rim-rigid-r$(r) rim-elastic-r$(r))
 # Beside them: the whole wheel rigid
 BODY     := wheel-rigid-r1 wheel-rigid-r2 wheel-rigid-rim-r1 wheel-rigid-rim-r2
 # 4: damping against the absolute velocity, as Eq 2.3 has it; 7: half chord
@@ -21,6 +21,10 @@ PHASE_1 := 0
 PHASE_2 := 18.541
 PHASE_3 := 7.082
 PHASE_4 := 25.623
+PHASE_5 := 14.164
+PHASE_6 := 2.705
+PHASE_7 := 21.246
+PHASE_8 := 9.787
 realisation_of = $(patsubst r%,%,$(lastword $(subst -, ,$(1))))
 seed = --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1)))
 

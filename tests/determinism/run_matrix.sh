@@ -1,48 +1,85 @@
-#!/bin/sh
-# One hash for the release build and compiler:level pairs (arguments, such as g++:O3), one and two threads, every vector width of this processor. Prints a table; exit 1 on
-# a difference. A width that the processor lacks is "not run" and counted apart.
+#!/bin/bash
+# One hash for compilers, optimisation levels, threads and vector widths. Arguments: compiler:level pairs, such as g++:O3; the release build
+# is always there. A wheel on 2400 discs through all three stages, 20,000 steps (-O0: 2,000). Prints a table; exit 1 on a difference, which is
+# then traced to its first step, body and component. A width that the processor lacks is "not run" and counted apart.
 set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
 out=$root/build/matrix
 mkdir -p "$out"
 jobs=${JOBS:-$(nproc)}
+release=$root/build/ifedem
 case_file=$root/reproductions/chapter3/cases/short.toml
-# A tenth of the short case: -O0 is slow.
-less="--set stages.consolidation_s=0.12 --set stages.sinkage_s=0.04 --set travel.distance_m=0.004 --set travel.acceleration_time_s=0.02"
-reference= passed=0 failed=0 not_run=0
+long="--set stages.consolidation_s=0.16 --set stages.sinkage_s=0.12 --set travel.distance_m=0.042 --set travel.acceleration_time_s=0.2"
+brief="--set stages.consolidation_s=0.04 --set stages.sinkage_s=0.02 --set travel.distance_m=0.001 --set travel.acceleration_time_s=0.02"
+passed=0 failed=0 not_run=0
+declare -A reference
 
-run() { # label program threads width
-    if [ "$4" = 8 ] && ! grep -q avx512f /proc/cpuinfo || [ "$4" = 4 ] && ! grep -q avx2 /proc/cpuinfo; then
-        printf '%-28s %s\n' "$1" "not run: the processor lacks this width"; not_run=$((not_run + 1)); return
-    fi
-    rm -rf "$out/run" "$out/stages"
+has_width() {
+    case $1 in
+        8) grep -q avx512f /proc/cpuinfo ;;
+        4) grep -q avx2 /proc/cpuinfo ;;
+        *) true ;;
+    esac
+}
+widest() { if has_width 8; then echo 8; elif has_width 4; then echo 4; else echo 2; fi; }
+
+# The hash after a scene (or up to a step of it), in a directory of its own.
+hash_of() { # directory program threads width scene [more...]
+    local directory=$1 program=$2 threads=$3 width=$4 scene=$5; shift 5
+    rm -rf "$directory" "$directory-stages"
     # shellcheck disable=SC2086
-    hash=$(IFEDEM_VECTOR_WIDTH=$4 "$2" run "$case_file" -o "$out/run" --stages "$out/stages" --quiet --threads "$3" $less |
-        sed -n 's/^state-hash: //p')
-    [ -n "$reference" ] || reference=$hash
-    if [ -n "$hash" ] && [ "$hash" = "$reference" ]; then
-        printf '%-28s %s\n' "$1" "$hash"; passed=$((passed + 1))
+    IFEDEM_VECTOR_WIDTH=$width "$program" run "$case_file" -o "$directory" --stages "$directory-stages" --quiet --threads "$threads" $scene "$@" \
+        2> "$directory.log" | sed -n 's/^state-hash: //p'
+}
+
+# The first step after which two programs differ, by halving.
+locate() { # program threads width scene steps
+    local same=0 differs=$5
+    while [ $((differs - same)) -gt 1 ]; do
+        local at=$(((same + differs) / 2))
+        if [ "$(hash_of "$out/a" "$release" 1 "$(widest)" "$4" --stop-at-step $at)" = "$(hash_of "$out/b" "$1" "$2" "$3" "$4" --stop-at-step $at)" ]
+        then same=$at; else differs=$at; fi
+    done
+    hash_of "$out/a" "$release" 1 "$(widest)" "$4" --stop-at-step "$differs" > /dev/null
+    hash_of "$out/b" "$1" "$2" "$3" "$4" --stop-at-step "$differs" > /dev/null
+    printf '    first difference: '
+    "$release" compare "$out/a/checkpoint.h5" "$out/b/checkpoint.h5"
+}
+
+check() { # label program threads width scene-name
+    local scene=${!5} hash
+    if ! has_width "$4"; then
+        printf '%-34s %s\n' "$1" "not run: the processor lacks this width"; not_run=$((not_run + 1)); return
+    fi
+    hash=$(hash_of "$out/run" "$2" "$3" "$4" "$scene")
+    [ -n "${reference[$5]:-}" ] || reference[$5]=$hash
+    if [ -n "$hash" ] && [ "$hash" = "${reference[$5]}" ]; then
+        printf '%-34s %-6s %s\n' "$1" "$5" "$hash"; passed=$((passed + 1))
     else
-        printf '%-28s %s differs from %s\n' "$1" "${hash:-no hash}" "$reference"; failed=$((failed + 1))
+        printf '%-34s %-6s %s differs from %s\n' "$1" "$5" "${hash:-no hash}" "${reference[$5]}"; failed=$((failed + 1))
+        [ -z "$hash" ] || locate "$2" "$3" "$4" "$scene" "$([ "$5" = long ] && echo 20000 || echo 2000)"
     fi
 }
 
-run "release t1 widest" "$root/build/ifedem" 1 "$(grep -q avx512f /proc/cpuinfo && echo 8 || echo 2)"
+check "release t1 w$(widest)" "$release" 1 "$(widest)" long
+check "release t1 w$(widest)" "$release" 1 "$(widest)" brief
 for pair in "$@"; do
     compiler=${pair%:*} level=${pair#*:} build=$out/$compiler-$level
     cmake -S "$root" -B "$build" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_RELEASE="-$level" > "$build.log" 2>&1 &&
         cmake --build "$build" --target ifedem -j "$jobs" >> "$build.log" 2>&1 ||
         { echo "$compiler -$level does not build; see $build.log"; tail -5 "$build.log"; failed=$((failed + 1)); continue; }
-    run "$compiler -$level t1 w2" "$build/ifedem" 1 2
-    run "$compiler -$level t2 w8" "$build/ifedem" 2 8
-    [ "$level" = O3 ] || continue
-    run "$compiler -$level t1 w1" "$build/ifedem" 1 1
-    run "$compiler -$level t1 w4" "$build/ifedem" 1 4
-    run "$compiler -$level t1 w8" "$build/ifedem" 1 8
-    GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F
-    export GLIBC_TUNABLES
-    run "$compiler -$level t1 w2 old glibc" "$build/ifedem" 1 2
-    unset GLIBC_TUNABLES
+    program=$build/ifedem
+    case $level in
+        O0) for setting in "1 2" "2 8" "3 4" "8 1"; do check "$compiler -$level t${setting% *} w${setting#* }" "$program" $setting brief; done ;;
+        O3) for threads in 1 2 3 4 8; do
+                for width in 1 2 4 8; do check "$compiler -$level t$threads w$width" "$program" $threads $width long; done
+            done
+            GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F
+            export GLIBC_TUNABLES
+            check "$compiler -$level t1 w2 old glibc" "$program" 1 2 long
+            unset GLIBC_TUNABLES ;;
+        *)  for setting in "1 8" "2 2" "3 1" "4 8" "8 4"; do check "$compiler -$level t${setting% *} w${setting#* }" "$program" $setting long; done ;;
+    esac
 done
 echo "$passed equal, $failed different, $not_run not run"
 [ "$failed" = 0 ]

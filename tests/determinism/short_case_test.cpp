@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -109,6 +110,29 @@ TEST_F(ShortCase, ResumesToTheSameEnd) {
         EXPECT_EQ(run_value(root_ / name, "state_hash"), golden_hash("short"));
     }
     EXPECT_EQ(read_text(root_ / "terminated" / "series.csv"), read_text(root_ / "killed" / "series.csv"));
+}
+
+/// Twenty steps anywhere in the three stages, drawn once; a briefer case.
+TEST_F(ShortCase, ResumesFromTwentySteps) {
+    const std::vector<std::string> brief = {
+        "--set", "stages.consolidation_s=0.1", "--set", "stages.sinkage_s=0.06",
+        "--set", "travel.distance_m=0.002",    "--set", "travel.acceleration_time_s=0.04"};
+    ASSERT_EQ(wait(start(run_arguments("whole", brief))), 0);
+    const auto steps = static_cast<std::uint32_t>(std::stoul(run_value(root_ / "whole", "total_steps")));
+    std::minstd_rand draw(1);
+    for (int n = 0; n < 20; ++n) {
+        const std::string step = std::to_string(1 + draw() % (steps - 1)), name = "stopped-" + step;
+        std::vector<std::string> arguments = run_arguments(name, brief);
+        arguments.insert(arguments.end(), {"--stop-at-step", step});
+        ASSERT_EQ(wait(start(arguments)), 0);
+        ASSERT_TRUE(fs::exists(root_ / name / "checkpoint.h5"));
+        ASSERT_EQ(wait(start({"resume", (root_ / name).string(), "--stages", (root_ / (name + "-stages")).string(),
+                              "--quiet"})),
+                  0);
+        EXPECT_EQ(run_value(root_ / name, "state_hash"), run_value(root_ / "whole", "state_hash"))
+            << "stopped at step " << step << " of " << steps;
+        fs::remove_all(root_ / name);
+    }
 }
 
 }  // namespace

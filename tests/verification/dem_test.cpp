@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "dem/forces.hpp"
+#include "dem/neighbour_lists.hpp"
 #include "step/integrate_discs.hpp"
 #include "support/dem_scenes.hpp"
 
@@ -386,6 +388,38 @@ TEST(Rolling, spinning_disc_stops_in_the_time_of_a_constant_moment) {
             EXPECT_LT(largest, 1.001 * per_s * plane_step);
         }
     }
+}
+
+// Other codes' rolling spring, for the comparison of costs: two dozen isolated pairs, so that packs and tail are both
+// met.
+TEST(Rolling, spring_of_other_codes_is_linear_up_to_its_cap) {
+    constexpr double ra = 0.002, rb = 0.003, overlap = 1e-5, turn = 3, step = 1e-5, cap = 0.1;
+    constexpr int pairs = 25;
+    std::vector<Disc> discs;
+    for (int n = 0; n < pairs; ++n) {
+        discs.push_back(make_disc({0.02 * n, 0}, ra, 0.004, {}, turn));
+        discs.push_back(make_disc({0.02 * n + ra + rb - overlap, 0}, rb, 0.009, {}, -turn));
+    }
+    DemConstants dem = make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.0), 0.2, step);
+    dem.rolling_springs = true, dem.soil.rolling_cap = cap;
+    World w = make_world(dem, discs);
+    update_lists(w.scene.dem, w.state, w.work.dem);
+    const double reduced = ra * rb / (ra + rb), limit = cap * reduced * stiffness_N_m * overlap;
+    double worst = 0;
+    bool capped = false;
+    for (int n = 1; n <= 200; ++n) {
+        add_forces(w.scene.dem, w.state, w.work.dem, step, [](Block&) {});
+        const double spring = stiffness_N_m / 4 * reduced * reduced * 2 * turn * n * step;
+        capped = spring > limit;
+        for (std::uint32_t id = 0; id < 2 * pairs; ++id) {
+            const double sign = id % 2 == 0 ? -1 : 1;
+            const DiscForce& f = force_on(w, position_of(w, id));
+            worst = std::fmax(worst, std::fabs(f.moment_Nm / (sign * std::fmin(spring, limit)) - 1));
+            EXPECT_EQ(f.rolling_limit_Nm, 0.0);
+        }
+    }
+    EXPECT_TRUE(capped);
+    EXPECT_LT(worst, 1e-11);  // the overlap, 1e-5 of a position of up to 0.5 m, keeps 11 digits
 }
 
 // ---- Statics ------------------------------------------------------------------------------------------------------
