@@ -4,49 +4,14 @@
 #include <cmath>
 #include <numeric>
 
-#include "dem/forces.hpp"
+#include "dem/blocks.hpp"
+#include "dem/grid.hpp"
+#include "dem/skins.hpp"
 #include "dem/vector_width.hpp"
+#include "dem/wall_lists.hpp"
 
 namespace ifedem {
 namespace {
-
-/// Cells as wide as the largest reach of a pair, numbered column by column so that a wheel rut stays near in memory.
-struct Grid {
-    double x0 = 0, y0 = 0, inverse_size = 0;
-    std::uint32_t columns = 0, rows = 0;
-    std::vector<std::uint32_t> begin;  ///< per cell + 1
-    std::vector<std::uint32_t> item;   ///< positions before sorting, ascending within a cell
-
-    [[nodiscard]] std::uint32_t column(double x) const {
-        return std::min(columns - 1, static_cast<std::uint32_t>(std::max(0.0, (x - x0) * inverse_size)));
-    }
-    [[nodiscard]] std::uint32_t row(double y) const {
-        return std::min(rows - 1, static_cast<std::uint32_t>(std::max(0.0, (y - y0) * inverse_size)));
-    }
-    [[nodiscard]] std::uint32_t cell(const Disc& d) const { return column(d.x_m) * rows + row(d.y_m); }
-};
-
-Grid make_grid(const std::vector<Disc>& discs, double size) {
-    Grid g;
-    double x1 = discs[0].x_m, y1 = discs[0].y_m;
-    g.x0 = x1, g.y0 = y1;
-    for (const Disc& d : discs) {
-        g.x0 = std::min(g.x0, d.x_m), x1 = std::max(x1, d.x_m);
-        g.y0 = std::min(g.y0, d.y_m), y1 = std::max(y1, d.y_m);
-    }
-    // A lost disc must not ask for the memory of a planet: the health check will name it.
-    constexpr double most_cells_a_side = 4096;
-    g.inverse_size = 1.0 / std::max(size, std::max(x1 - g.x0, y1 - g.y0) / most_cells_a_side);
-    g.columns = static_cast<std::uint32_t>((x1 - g.x0) * g.inverse_size) + 1;
-    g.rows = static_cast<std::uint32_t>((y1 - g.y0) * g.inverse_size) + 1;
-    g.begin.assign(static_cast<std::size_t>(g.columns) * g.rows + 1, 0);
-    g.item.resize(discs.size());
-    for (const Disc& d : discs) ++g.begin[g.cell(d) + 1];
-    for (std::size_t c = 1; c < g.begin.size(); ++c) g.begin[c] += g.begin[c - 1];
-    std::vector<std::uint32_t> next(g.begin.begin(), g.begin.end() - 1);
-    for (std::uint32_t p = 0; p < discs.size(); ++p) g.item[next[g.cell(discs[p])]++] = p;
-    return g;
-}
 
 template <class T>
 void permute(std::vector<T>& items, const std::vector<std::uint32_t>& order) {
@@ -104,47 +69,6 @@ double distance_squared(const Disc& a, const Disc& b) {
 bool is_within(const Disc& a, const Disc& b, double skins_m) {
     const double reach = a.radius_m + b.radius_m + skins_m;
     return distance_squared(a, b) <= reach * reach;
-}
-
-double speed_squared(const Disc& d) { return d.vx_m_s * d.vx_m_s + d.vy_m_s * d.vy_m_s; }
-
-/// How much wider a disc's skin is than the usual one: 1 up to `swift_speed` times the rms speed.
-class SkinWidth {
-public:
-    explicit SkinWidth(const std::vector<Disc>& discs) {
-        double sum = 0;
-        for (const Disc& d : discs) sum += speed_squared(d);
-        limit2_ = swift_speed * swift_speed * sum / static_cast<double>(discs.size());
-    }
-    [[nodiscard]] double operator()(const Disc& d) const {
-        const double v2 = speed_squared(d);
-        return v2 > limit2_ ? std::sqrt(v2 / limit2_) : 1.0;  // infinite if only this disc moves at all
-    }
-
-private:
-    double limit2_ = 0;
-};
-
-void note_outer_references(State& state) {
-    const SkinWidth width(state.discs.disc);
-    auto& reference = state.pairs.reference;
-    reference.clear();
-    for (const Disc& d : state.discs.disc)
-        reference.push_back({d.x_m, d.y_m, min_of(outer_skin_m * width(d), largest_skin_m)});
-}
-
-/// An inner skin ends where the outer one does, so that no pair can come near unseen.
-void note_inner_references(State& state) {
-    const SkinWidth width(state.discs.disc);
-    const auto& disc = state.discs.disc;
-    const auto& outer = state.pairs.reference;
-    auto& reference = state.pairs.inner_reference;
-    reference.resize(disc.size());
-    for (std::size_t p = 0; p < disc.size(); ++p) {
-        const double dx = disc[p].x_m - outer[p].x_m, dy = disc[p].y_m - outer[p].y_m;
-        const double left = outer[p].skin_m - std::sqrt(dx * dx + dy * dy);
-        reference[p] = {disc[p].x_m, disc[p].y_m, min_of(inner_skin_m * width(disc[p]), left)};
-    }
 }
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -284,65 +208,6 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
     ++work.refreshes;
 }
 
-/// Signed gap between a disc and a wall.
-double wall_gap(const DemConstants& k, std::uint32_t wall, const Disc& d) {
-    const WallSide side = find_wall_side(k, wall, d);
-    return side.distance_m - side.opposite_radius_m - d.radius_m;
-}
-
-/// Discs that may come near a wall before the next rebuild, seen from where they stood at the last one.
-void find_outer_walls(const DemConstants& k, const State& state, DemWorkspace& work) {
-    work.outer_wall.clear();
-    const auto walls = static_cast<std::uint32_t>(k.flat_walls.size() + k.wall_discs.size());
-    for (std::uint32_t p = 0; p < state.discs.disc.size(); ++p) {
-        const Reference& reference = state.pairs.reference[p];
-        Disc there = state.discs.disc[p];
-        there.x_m = reference.x_m, there.y_m = reference.y_m;
-        for (std::uint32_t w = 0; w < walls; ++w)
-            if (wall_gap(k, w, there) <= reference.skin_m) work.outer_wall.push_back({p, w});
-    }
-}
-
-/// Each block's part of the discs near walls.
-void share_walls(DemWorkspace& work) {
-    std::uint32_t n = 0;
-    for (Block& block : work.block) {
-        block.wall_begin = n;
-        while (n < work.wall.size() && work.wall[n].position < block.disc_end) ++n;
-        block.wall_end = n;
-    }
-}
-
-/// Candidates for wall contact in order of position and wall, springs carried over.
-void refresh_wall_contacts(const DemConstants& k, State& state, DemWorkspace& work) {
-    auto& found = work.next_wall;
-    found.clear(), work.wall.clear();
-    std::size_t old = 0;
-    const auto& before = state.wall_contacts;
-    for (const WallCandidate& c : work.outer_wall) {
-        if (wall_gap(k, c.wall, state.discs.disc[c.position]) > state.pairs.inner_reference[c.position].skin_m)
-            continue;
-        BoundaryContact contact{state.discs.id[c.position], c.wall, 0.0};
-        while (old < before.size()) {
-            const std::uint32_t at = work.position_of_id[before[old].disc];
-            if (at > c.position || (at == c.position && before[old].surface >= c.wall)) break;
-            ++old;
-        }
-        if (old < before.size() && before[old].disc == contact.disc && before[old].surface == c.wall)
-            contact.tangential_m = before[old].tangential_m;
-        found.push_back(contact);
-        work.wall.push_back(c);
-    }
-    state.wall_contacts.swap(found);
-    share_walls(work);
-}
-
-void unpack_walls(const State& state, DemWorkspace& work) {
-    work.wall.clear();
-    for (const BoundaryContact& c : state.wall_contacts) work.wall.push_back({work.position_of_id[c.disc], c.surface});
-    share_walls(work);
-}
-
 /// The inner list as it stands.
 void unpack_pairs(const State& state, DemWorkspace& work) {
     const auto& p = state.pairs;
@@ -358,53 +223,6 @@ void unpack_pairs(const State& state, DemWorkspace& work) {
             work.damping_Ns_m.push_back(work.outer_damping_Ns_m[outer]);
         }
         block.pair_end = static_cast<std::uint32_t>(n);
-    }
-}
-
-/// Cuts the discs into blocks and gives every block its force slots; see lib/dem/README.md, "Blocks".
-void lay_out_blocks(const State& state, DemWorkspace& work) {
-    const auto& p = state.pairs;
-    const auto count = static_cast<std::uint32_t>(state.discs.disc.size());
-    work.block.clear();
-    work.outer_slot_i.resize(p.i.size()), work.outer_slot_j.resize(p.i.size());
-    work.force_slot.resize(count);
-    std::vector<std::vector<Merge>> incoming((count + discs_per_block - 1) / discs_per_block);
-    std::vector<std::uint32_t> first_source(incoming.size(), count);
-    std::vector<std::uint32_t> slot_of_halo(count);  // of the present block
-    std::vector<std::uint32_t> halo;
-    std::uint32_t pair = 0, slot = 0;
-    for (std::uint32_t begin = 0; begin < count; begin += discs_per_block) {
-        Block b;
-        b.disc_begin = begin, b.disc_end = std::min<std::uint32_t>(count, begin + discs_per_block);
-        b.outer_begin = pair, b.force_begin = slot;
-        halo.clear();
-        for (; pair < p.i.size() && p.i[pair] < b.disc_end; ++pair)
-            if (p.j[pair] >= b.disc_end) halo.push_back(p.j[pair]);
-        b.outer_end = pair;
-        std::sort(halo.begin(), halo.end());
-        halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
-        for (std::uint32_t d = b.disc_begin; d < b.disc_end; ++d) work.force_slot[d] = slot++;
-        for (const std::uint32_t h : halo) {
-            slot_of_halo[h] = slot++;
-            incoming[h / discs_per_block].push_back({slot_of_halo[h], h});
-            auto& first = first_source[h / discs_per_block];
-            first = std::min(first, static_cast<std::uint32_t>(work.block.size()));
-        }
-        b.force_end = slot;
-        for (std::uint32_t n = b.outer_begin; n < b.outer_end; ++n) {
-            work.outer_slot_i[n] = work.force_slot[p.i[n]];
-            work.outer_slot_j[n] = p.j[n] < b.disc_end ? work.force_slot[p.j[n]] : slot_of_halo[p.j[n]];
-        }
-        work.block.push_back(b);
-    }
-    work.force.resize(slot);
-    work.merge.clear();
-    for (std::size_t n = 0; n < work.block.size(); ++n) {
-        Block& b = work.block[n];
-        b.first_source = std::min(first_source[n], static_cast<std::uint32_t>(n));
-        b.merge_begin = static_cast<std::uint32_t>(work.merge.size());
-        for (const Merge& m : incoming[n]) work.merge.push_back({m.slot, work.force_slot[m.target]});
-        b.merge_end = static_cast<std::uint32_t>(work.merge.size());
     }
 }
 
@@ -455,16 +273,6 @@ void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
     const auto left = [&](std::size_t p) { return has_left(state.discs.disc[p], state.pairs.inner_reference[p]); };
     for (std::size_t p = 0; p < state.discs.disc.size(); ++p)
         if (left(p)) return ask_for_lists(state, work);
-}
-
-void ask_for_lists(const State& state, DemWorkspace& work) {
-    work.refresh_inner = true;
-    const auto& disc = state.discs.disc;
-    for (std::size_t p = 0; p < disc.size() && !work.rebuild_outer; ++p) {
-        Reference spare = state.pairs.reference[p];
-        spare.skin_m -= inner_skin_m;
-        work.rebuild_outer = has_left(disc[p], spare);
-    }
 }
 
 }  // namespace ifedem

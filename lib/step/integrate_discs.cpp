@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dem/neighbour_lists.hpp"
+#include "dem/skins.hpp"
 
 namespace ifedem {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
+#include "dem/skins.hpp"
 #include "step/integrate_discs.hpp"
 #include "step/integrate_wheel.hpp"
 
