@@ -242,7 +242,6 @@ void note_constants(const DemConstants& k, const State& state, DemWorkspace& wor
 
 /// Everything that stays as it is until the next rebuild.
 void lay_out(const DemConstants& k, const State& state, DemWorkspace& work) {
-    note_ids(state, work);
     note_constants(k, state, work);
     find_outer_walls(k, state, work);
     lay_out_blocks(state, work);

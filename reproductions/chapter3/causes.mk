@@ -2,6 +2,7 @@
 # of 0.4 m scatters by 7 N in H where a smaller bin's scatters by 20.
 #   make causes-chapter3
 CHAPTER := reproductions/chapter3
+include $(CHAPTER)/realisations.mk
 OUT     := build/runs/chapter3-causes
 CASE    := $(CHAPTER)/cases/B3-earth.toml
 
@@ -14,10 +15,6 @@ RIM     := $(foreach r,1 2 3 4,elastic-r$(r)) rigid-r1 rigid-r2
 OTHER   := $(foreach w,speed0.05 speed0.2 absolute half-chord wheel-rigid,$(foreach r,1 2,$(w)-r$(r)))
 RUNS    := $(RIM) $(LAYER) $(OTHER)
 
-PHASE_1 := 0
-PHASE_2 := 18.541
-PHASE_3 := 7.082
-PHASE_4 := 25.623
 realisation_of = $(lastword $(subst -r, ,$(1)))
 what_of = $(patsubst %-r$(call realisation_of,$(1)),%,$(1))
 damp = $(foreach p,rim intermediate surface lug,--set wheel.$(p).damping_1_s=$(1))

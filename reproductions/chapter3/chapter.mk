@@ -4,6 +4,7 @@
 # changes.
 
 CHAPTER := reproductions/chapter3
+include $(CHAPTER)/realisations.mk
 OUT     := build/runs/chapter3
 REPORT  := build/reports/chapter3
 CASES   := $(wildcard $(CHAPTER)/cases/*.toml)
@@ -14,14 +15,6 @@ SLIPS  := 0 10 20 30 40 50 60 70
 EARTH  := $(foreach s,$(SLIPS),B3-earth-170N-s$(s)-r1) $(foreach r,2 3 4 5 6 7 8,B3-earth-170N-s60-r$(r))
 MARS   := $(foreach r,1 2 3 4 5 6 7 8,B3-mars-64.4N-s60-r$(r))
 RUNS   := $(EARTH) $(MARS)
-PHASE_1 := 0
-PHASE_2 := 18.541
-PHASE_3 := 7.082
-PHASE_4 := 25.623
-PHASE_5 := 14.164
-PHASE_6 := 2.705
-PHASE_7 := 21.246
-PHASE_8 := 9.787
 
 part = $(word $(2),$(subst -, ,$(1)))
 case_of = $(CHAPTER)/cases/$(call part,$(1),1)-$(call part,$(1),2).toml
