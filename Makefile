@@ -14,12 +14,11 @@ SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 export JOBS IFEDEM
 
-.PHONY: help setup build test test-determinism bench bench-peers reproduce-chapter3 causes-chapter3 quick-chapter3 check \
-        sanitize sanitize-unit clean
+.PHONY: help setup build test test-determinism bench bench-peers causes-chapter3 check sanitize sanitize-unit clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z][a-z0-9 -]*:.*## / { printf "%-22s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z][a-z0-9% -]*:.*## / { sub(/%/, "N", $$1); printf "%-22s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 setup: $(BUILD)/.packages ## install Debian packages that are missing
 
@@ -56,14 +55,17 @@ sanitize sanitize-unit: $(BUILD)/.packages ## tests (all, or the unit tests) und
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target $(if $(filter sanitize-unit,$@),tests_unit,all)
 	@ctest --test-dir $(BUILD)-sanitize --output-on-failure -j $(JOBS) $(if $(filter sanitize-unit,$@),-L unit)
 
-reproduce-chapter3: build ## simulate, check and report chapter 3
-	@$(MAKE) --no-print-directory -f reproductions/chapter3/chapter.mk reproduce
+reproduce-chapter%: build ## simulate, check and report a chapter: reproduce-chapter3
+	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk reproduce
+
+quick-chapter%: build ## the same machinery on short runs, under two minutes
+	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk quick
+
+sensitivity-chapter%: build ## what each choice that the text leaves open does to the results
+	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk sensitivity
 
 causes-chapter3: build ## the runs behind "Causes" in chapter 3's README
 	@$(MAKE) --no-print-directory -j$(JOBS) -f reproductions/chapter3/causes.mk causes
-
-quick-chapter3: build ## the same machinery on two short runs, under two minutes
-	@$(MAKE) --no-print-directory -f reproductions/chapter3/chapter.mk quick
 
 check: build ## what a contributor runs before a commit: format, tidy, tests
 	@find lib tests -name '*.?pp' | xargs clang-format --dry-run -Werror

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "check/csv.hpp"
@@ -32,6 +33,28 @@ void read_stiffness(const std::filesystem::path& directory, Campaign& campaign) 
         campaign.stiffness_points.push_back({row.cells[points.require("wheel")], cell_number(points, row, "phase_deg"),
                                              cell_number(points, row, "deflection_m"),
                                              cell_number(points, row, "load_N")});
+}
+
+void read_measurements(const std::filesystem::path& directory, Campaign& campaign) {
+    const CsvTable table = read_csv((directory / "measurements.csv").string());
+    std::vector<Measurement> rows;
+    for (const auto& row : table.rows) {
+        const double n = cell_number(table, row, "n");
+        if (n < 1)
+            fail_input(fmt::format("{}:{}: n is below 1. Write the number of realisations.", table.path, row.line));
+        rows.push_back({row.cells[table.require("name")], cell_number(table, row, "value"),
+                        row.cells[table.require("units")],
+                        row.cells[table.require("scatter")].empty() ? 0 : cell_number(table, row, "scatter"),
+                        static_cast<std::size_t>(n), row.cells[table.require("note")]});
+    }
+    campaign.measurements.insert(campaign.measurements.end(), rows.begin(), rows.end());
+}
+
+void require_distinct_measurements(const Campaign& campaign) {
+    std::set<std::string> names;
+    for (const auto& m : campaign.measurements)
+        if (!names.insert(m.name).second)
+            fail_input(fmt::format("The measurement {} stands twice. Leave one directory or one line out.", m.name));
 }
 
 /// The case without what may differ between realisations, and without what does not change results.
@@ -96,9 +119,12 @@ void read_directory(const std::string& name, Campaign& campaign) {
     const std::filesystem::path directory(name);
     const bool is_run = std::filesystem::exists(directory / "case.toml");
     const bool is_stiffness = std::filesystem::exists(directory / "stiffness_summary.csv");
-    if (!is_run && !is_stiffness)
-        fail_input(
-            fmt::format("{}: neither case.toml nor stiffness_summary.csv is there. Give run directories.", name));
+    const bool is_measured = std::filesystem::exists(directory / "measurements.csv");
+    if (!is_run && !is_stiffness && !is_measured)
+        fail_input(fmt::format(
+            "{}: neither case.toml nor stiffness_summary.csv nor measurements.csv is there. Give run directories.",
+            name));
+    if (is_measured) read_measurements(directory, campaign);
     if (is_stiffness) read_stiffness(directory, campaign);
     if (is_run) campaign.runs.push_back(measure_run(read_run(name)));
 }
@@ -107,6 +133,7 @@ void read_directory(const std::string& name, Campaign& campaign) {
 
 Campaign read_campaign(const std::vector<std::string>& directories) {
     Campaign campaign;
+    campaign.directories = directories;
     for (const auto& name : directories) {
         try {
             read_directory(name, campaign);
@@ -118,7 +145,14 @@ Campaign read_campaign(const std::vector<std::string>& directories) {
         return std::tie(a.condition, a.run.name, a.run.directory) < std::tie(b.condition, b.run.name, b.run.directory);
     });
     require_realisations(campaign);
+    require_distinct_measurements(campaign);
     return campaign;
+}
+
+const Measurement* find_measurement(const Campaign& campaign, const std::string& name) {
+    for (const auto& m : campaign.measurements)
+        if (m.name == name) return &m;
+    return nullptr;
 }
 
 ValuesBySlip collect(const Campaign& campaign, const std::string& wheel, const std::string& gravity, double load_N,

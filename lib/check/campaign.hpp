@@ -24,6 +24,17 @@ struct StiffnessSummary {
     double most_N_mm = 0;
 };
 
+/// One line of a directory's measurements.csv: a quantity that a test or a tool measured, its standard deviation over
+/// n realisations, and a word on how.
+struct Measurement {
+    std::string name;
+    double value = 0;
+    std::string units;
+    double scatter = 0;
+    std::size_t n = 1;
+    std::string note;
+};
+
 /// A run with its window means.
 struct MeasuredRun {
     Run run;
@@ -32,18 +43,24 @@ struct MeasuredRun {
     std::string shortfall;  ///< why no claim may use it: "travelled 0.06 m of the 0.8 m …"; "" if all is well
 };
 
-/// All runs of a report, and the wheels' stiffness.
+/// All runs of a report, the wheels' stiffness, and what was measured otherwise.
 struct Campaign {
     std::vector<MeasuredRun> runs;  ///< sorted by condition, then by name
     std::vector<StiffnessSummary> stiffness;
     std::vector<StiffnessPoint> stiffness_points;
-    std::vector<std::string> unusable;  ///< directories without a finished run, with the reason
+    std::vector<Measurement> measurements;
+    std::vector<std::string> directories;  ///< as given; figures may draw files of theirs
+    std::vector<std::string> unusable;     ///< directories without a finished run, with the reason
 };
 
-/// Directories with case.toml are runs, directories with stiffness_summary.csv hold the wheels' stiffness; others are
-/// noted as unusable, so that one run that failed does not take the report with it. Realisations of one condition must
-/// differ in seed or lug phase and in nothing else that matters: else throws Error(bad_input).
+/// Directories with case.toml are runs, those with stiffness_summary.csv hold the wheels' stiffness, those with
+/// measurements.csv whatever was measured; others are noted as unusable, so that one run that failed does not take the
+/// report with it. Throws Error(bad_input) if a measurement's name stands twice, or if realisations of one condition
+/// differ in more than seed and lug phase.
 [[nodiscard]] Campaign read_campaign(const std::vector<std::string>& directories);
+
+/// nullptr if nothing of this name was measured.
+[[nodiscard]] const Measurement* find_measurement(const Campaign& campaign, const std::string& name);
 
 /// Values of a metric by slip, for one wheel, gravity and load, by the text's averaging windows unless
 /// another window is given. Runs with a shortfall are left out.

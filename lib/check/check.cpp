@@ -15,8 +15,6 @@ std::string optional_number(const std::optional<double>& value) {
     return value ? format_number(*value) : std::string();
 }
 
-std::string source_text(const LedgerRow& row) { return fmt::format("{}, line {}", row.source, row.line); }
-
 std::string evidence_text(const Outcome& o) {
     if (o.claim.evidence.empty()) return o.detail;
     return o.detail.empty() ? o.claim.evidence : o.claim.evidence + "; " + o.detail;
@@ -37,8 +35,7 @@ std::string find_root(const std::string& path) {
 CheckResult check_claims(const std::string& claims_path, const std::vector<std::string>& run_dirs) {
     CheckResult result;
     result.root = find_root(claims_path);
-    const Ledger ledger =
-        read_ledger((std::filesystem::path(result.root) / "reference_data" / "dissertation.csv").string());
+    const Ledger ledger = read_ledger(result.root);
     const auto claims = read_claims(claims_path, ledger);
     result.campaign = read_campaign(run_dirs);
     result.outcomes = evaluate(claims, ledger, result.campaign, result.root);

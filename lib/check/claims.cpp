@@ -29,6 +29,7 @@ std::optional<Comparison> parse_comparison(std::string_view text) {
 }
 
 bool is_known_metric(std::string name) {
+    if (name.starts_with("measured:")) return name.size() > std::string_view("measured:").size();
     for (const std::string_view prefix : {"ratio:", "abs:"})
         if (name.starts_with(prefix)) name.erase(0, prefix.size());
     static const std::set<std::string> others{"gravity_ratio", "stiffness_N_mm", "elapsed_max_s", "elapsed_max_h"};
@@ -105,13 +106,14 @@ private:
     void read_computed() {
         if (!is_known_metric(claim_.metric))
             fault(
-                fmt::format("metric '{}' is not known. Use a column of runs.csv, ratio: or abs: of one, gravity_ratio, "
-                            "stiffness_N_mm, elapsed_max_s or elapsed_max_h.",
+                fmt::format("metric '{}' is not known. Use a column of runs.csv, ratio: or abs: of one, measured:NAME, "
+                            "gravity_ratio, stiffness_N_mm, elapsed_max_s or elapsed_max_h.",
                             claim_.metric));
         if (claim_.tolerance_origin.empty())
             fault(fmt::format("the tolerance '{}' has no origin. Say in tolerance_origin where it comes from.",
                               cell("tolerance")));
-        const bool needs_runs = claim_.metric != "gravity_ratio" && claim_.metric != "stiffness_N_mm";
+        const bool needs_runs = claim_.metric != "gravity_ratio" && claim_.metric != "stiffness_N_mm" &&
+                                !claim_.metric.starts_with("measured:");
         const auto& s = claim_.selection;
         if (needs_runs && (s.wheel.empty() || s.gravity.empty() || s.load_N.empty() || cell("slip_percent").empty()))
             fault("the runs are not selected. Fill in wheel, gravity, load_N and slip_percent.");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <variant>
 
@@ -164,8 +165,29 @@ std::variant<Quantity, Missing> longest_time(const Judge& j, double seconds_per_
     return q;
 }
 
+/// A number from measurements.csv. One value tells no scatter: without a tolerance of the claim's own nothing can be
+/// said.
+std::variant<Quantity, Missing> measured(const Judge& j) {
+    const std::string name = without_prefix(j.claim.metric);
+    const Measurement* m = find_measurement(j.campaign, name);
+    if (m == nullptr) return Missing{fmt::format("no measurements.csv holds {}", name)};
+    if (m->units != j.out.ledger.units)
+        return Missing{
+            fmt::format("{} was measured in {} but the ledger row is in {}", name, m->units, j.out.ledger.units)};
+    const std::string gravity = j.claim.selection.gravity.empty() ? "" : j.claim.selection.gravity[0];
+    const bool is_exact = j.out.ledger.kind == "exact";
+    const double reading = is_exact ? 0 : reading_uncertainty(j.out.reference_text, j.out.units, gravity);
+    Quantity q{m->value, m->scatter, 0, m->n, m->note};
+    if (m->n > 1)
+        q.uncertainty = prediction_uncertainty(m->scatter, static_cast<double>(m->n - 1), m->n, reading);
+    else if (!j.claim.tolerance)
+        q.uncertainty = std::numeric_limits<double>::infinity();
+    return q;
+}
+
 std::variant<Quantity, Missing> compute(const Judge& j) {
     const std::string& metric = j.claim.metric;
+    if (metric.starts_with("measured:")) return measured(j);
     if (metric == "gravity_ratio") return gravity_ratio(j);
     if (metric == "stiffness_N_mm") return stiffness(j, j.out.reference_text, j.out.ledger.units);
     if (metric == "elapsed_max_s") return longest_time(j, 1);
@@ -200,9 +222,10 @@ Finding judge_equal(const Judge& j, const Quantity& q, double reference) {
 Finding judge_side(const Judge& j, const Quantity& q, double reference) {
     const double sign = j.claim.comparison == Comparison::above ? 1.0 : -1.0;
     const double margin = sign * (q.value - reference);
-    j.out.tolerance_text = format_number(q.uncertainty);
-    if (std::isfinite(q.uncertainty) && q.uncertainty > 0) j.out.error_over_tolerance = -margin / q.uncertainty;
-    return compare_side(margin, q.uncertainty);
+    const double tolerance = j.claim.tolerance.value_or(q.uncertainty);
+    j.out.tolerance_text = format_number(tolerance);
+    if (std::isfinite(tolerance) && tolerance > 0) j.out.error_over_tolerance = -margin / tolerance;
+    return compare_side(margin, tolerance);
 }
 
 Finding judge_at_most(const Judge& j, const Quantity& q, double reference) {
@@ -302,7 +325,8 @@ std::vector<Outcome> evaluate(const std::vector<Claim>& claims, const Ledger& le
     for (const auto& claim : claims) {
         outcomes.push_back(judge_claim(claim, ledger, campaign, root));
         claimed.insert(claim.base_id());
-        chapters.insert(outcomes.back().ledger.chapter);
+        // A value from elsewhere may be checked in any chapter; it does not call for the rest of its own.
+        if (outcomes.back().ledger.needs_verdict()) chapters.insert(outcomes.back().ledger.chapter);
     }
     for (const auto& [id, row] : ledger) {
         if (!row.needs_verdict() || !chapters.contains(row.chapter) || claimed.contains(id)) continue;

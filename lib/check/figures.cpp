@@ -67,6 +67,17 @@ std::string verdicts_present(const std::vector<Outcome>& outcomes) {
     return names;
 }
 
+/// The file that a directory of the report holds, "" if none does.
+std::string find_file(const FigureRow& row, const Campaign& campaign) {
+    for (const auto& name : campaign.directories) {
+        const fs::path directory = fs::path(name).lexically_normal();
+        const fs::path last = directory.has_filename() ? directory.filename() : directory.parent_path().filename();
+        if (!row.metric.empty() && last != row.metric) continue;
+        if (fs::exists(directory / row.series)) return (directory / row.series).string();
+    }
+    return {};
+}
+
 std::optional<std::string> line_data(const FigureRow& row, const Campaign& campaign,
                                      const std::vector<Outcome>& outcomes, Variables& variables) {
     if (row.data == "slip") {
@@ -81,10 +92,14 @@ std::optional<std::string> line_data(const FigureRow& row, const Campaign& campa
         variables.emplace_back("verdicts", verdicts_present(outcomes));
         return agreement_data(outcomes);
     }
+    if (row.data == "file") {
+        const std::string path = find_file(row, campaign);
+        return path.empty() ? std::nullopt : std::optional(read_text(path));
+    }
     if (row.data != "series")
         fail_input(fmt::format(
-            "figures.csv: data '{}' of {} is not known. Use slip, series, snapshot, stiffness or agreement.", row.data,
-            row.name));
+            "figures.csv: data '{}' of {} is not known. Use slip, series, snapshot, stiffness, file or agreement.",
+            row.data, row.name));
     const auto* run = find_run(campaign, parse_curve(row.series));
     if (!run) return std::nullopt;
     const auto& m = run->metrics;
@@ -113,6 +128,15 @@ std::optional<Figure> copy_snapshot(const FigureRow& row, const ReportPaths& pat
     return std::nullopt;
 }
 
+std::optional<Figure> copy_picture(const FigureRow& row, const ReportPaths& paths, const Campaign& campaign) {
+    const std::string path = find_file(row, campaign);
+    if (path.empty()) return std::nullopt;
+    Figure figure = start_figure(row, "png");
+    figure.data.clear();
+    fs::copy_file(path, paths.out + "/" + figure.image, fs::copy_options::overwrite_existing);
+    return figure;
+}
+
 std::optional<Figure> draw_lines(const FigureRow& row, const ReportPaths& paths, const Campaign& campaign,
                                  const std::vector<Outcome>& outcomes) {
     Figure figure = start_figure(row, "svg");
@@ -132,8 +156,10 @@ std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campa
     std::vector<Figure> figures;
     fs::create_directories(fs::path(paths.out) / "figures");
     for (const auto& row : read_rows(paths.chapter + "/figures.csv")) {
-        const auto figure =
-            row.data == "snapshot" ? copy_snapshot(row, paths, campaign) : draw_lines(row, paths, campaign, outcomes);
+        const bool is_picture = row.data == "file" && row.series.ends_with(".png");
+        const auto figure = row.data == "snapshot" ? copy_snapshot(row, paths, campaign)
+                            : is_picture           ? copy_picture(row, paths, campaign)
+                                                   : draw_lines(row, paths, campaign, outcomes);
         if (figure) figures.push_back(*figure);
     }
     return figures;

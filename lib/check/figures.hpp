@@ -21,6 +21,8 @@ struct ReportPaths {
 ///   data "slip": `metric` against slip for each "gravity load" of `series` (separated by |), with the text's numbers
 ///   data "series": torque, net traction and sinkage of the first run of "gravity load slip" against travel
 ///   data "snapshot": the picture named `script` that a run of "gravity load slip" left in its directory
+///   data "file": the CSV (or .png) at the path `series` in the first directory of the report that holds it; `metric`
+///   names the directory (its last part) where several do
 ///   data "stiffness": load against deflection;   data "agreement": error over tolerance of all numbers
 [[nodiscard]] std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campaign,
                                                const std::vector<Outcome>& outcomes);

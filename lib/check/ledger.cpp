@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "check/csv.hpp"
 #include "core/error.hpp"
@@ -15,16 +16,17 @@ bool LedgerRow::needs_verdict() const {
     return kind == "result" || kind == "ratio" || kind == "experiment" || kind == "qualitative";
 }
 
-Ledger read_ledger(const std::string& path) {
+namespace {
+
+void add_rows(const std::string& path, Ledger& ledger) {
     const CsvTable table = read_csv(path);
     const auto column = [&](const char* name) { return table.require(name); };
     const auto id = column("id"), chapter = column("chapter"), quantity = column("quantity"), symbol = column("symbol"),
                value = column("value"), units = column("units"), condition = column("condition"),
                source = column("source"), line = column("line"), kind = column("kind");
-    Ledger ledger;
     for (const auto& row : table.rows) {
         const auto chapter_number = parse_number(row.cells[chapter]);
-        const auto line_number = parse_number(row.cells[line]);
+        const auto line_number = row.cells[line].empty() ? std::optional<double>(0) : parse_number(row.cells[line]);
         if (!chapter_number || !line_number)
             fail_input(fmt::format("{}:{}: chapter and line must be numbers. Correct the row.", path, row.line));
         LedgerRow entry{row.cells[id],
@@ -41,7 +43,20 @@ Ledger read_ledger(const std::string& path) {
             fail_input(
                 fmt::format("{}:{}: the id {} stands twice. Give each row its own.", path, row.line, row.cells[id]));
     }
+}
+
+}  // namespace
+
+Ledger read_ledger(const std::string& root) {
+    const auto folder = std::filesystem::path(root) / "reference_data";
+    Ledger ledger;
+    add_rows((folder / "dissertation.csv").string(), ledger);
+    if (std::filesystem::exists(folder / "external.csv")) add_rows((folder / "external.csv").string(), ledger);
     return ledger;
+}
+
+std::string source_text(const LedgerRow& row) {
+    return row.line == 0 ? row.source : fmt::format("{}, line {}", row.source, row.line);
 }
 
 double reading_uncertainty(const std::string& printed, const std::string& units, const std::string& gravity) {

@@ -38,10 +38,15 @@ Document compose(const ReportRequest& request, const CheckResult& result, const 
         const std::string name(to_text(static_cast<Verdict>(k)));
         d.tallies.push_back({name, name, counts[k]});
     }
-    d.sections = {summary_section(outcomes),  numbers_section(outcomes, figures),
-                  figures_section(figures),   slips_section(campaign),
-                  verdicts_section(outcomes), choices_section(paths.chapter + "/choices.csv", campaign),
-                  balances_section(campaign), provenance_section(campaign, request.command),
+    d.sections = {summary_section(outcomes),
+                  numbers_section(outcomes, figures),
+                  figures_section(figures),
+                  slips_section(campaign),
+                  verdicts_section(outcomes),
+                  measurements_section(campaign),
+                  choices_section(paths.chapter + "/choices.csv", campaign),
+                  balances_section(campaign),
+                  provenance_section(campaign, request.command),
                   reading_section()};
     std::erase_if(d.sections, [](const Section& s) { return s.blocks.empty(); });
     return d;

@@ -158,6 +158,24 @@ Section slips_section(const Campaign& campaign) {
     return s;
 }
 
+Section measurements_section(const Campaign& campaign) {
+    Section s{"measurements", "Measured otherwise", {}};
+    if (campaign.measurements.empty()) return s;
+    Table t;
+    t.caption = "Numbers that tests and tools measured; scatter is the standard deviation over n realisations.";
+    t.style = "cards";
+    t.header = {"Name", "Value", "Units", "Scatter", "n", "Note"};
+    for (const auto& m : campaign.measurements)
+        t.rows.push_back({{m.name, "id"},
+                          {format_number(m.value), "num"},
+                          {m.units, ""},
+                          {m.n > 1 ? format_number(m.scatter) : "–", "num"},
+                          {std::to_string(m.n), "num"},
+                          {m.note, "small"}});
+    s.blocks.emplace_back(std::move(t));
+    return s;
+}
+
 Section choices_section(const std::string& choices_path, const Campaign& campaign) {
     Section s{"choices", "What the text leaves open, and what was chosen", {}};
     const CsvTable choices = read_csv(choices_path);

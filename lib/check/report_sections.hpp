@@ -15,6 +15,7 @@ namespace ifedem {
 [[nodiscard]] Section figures_section(const std::vector<Figure>& figures);
 [[nodiscard]] Section slips_section(const Campaign& campaign);
 [[nodiscard]] Section verdicts_section(const std::vector<Outcome>& outcomes);
+[[nodiscard]] Section measurements_section(const Campaign& campaign);
 /// `choices_path`: key,value,text_says,reason,sensitivity; the value that the runs used stands beside.
 [[nodiscard]] Section choices_section(const std::string& choices_path, const Campaign& campaign);
 [[nodiscard]] Section balances_section(const Campaign& campaign);

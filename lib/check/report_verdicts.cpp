@@ -50,7 +50,7 @@ std::string statement_text(const Outcome& o) {
     const std::string what = is_side && o.ledger.kind == "qualitative"
                                  ? fmt::format("“{}”, taken as {}", o.ledger.value, reference_text(o))
                                  : reference_text(o);
-    return fmt::format("{} ({}, line {})", what, o.ledger.source, o.ledger.line);
+    return fmt::format("{} ({})", what, source_text(o.ledger));
 }
 
 Cell verdict_cell(const Outcome& o) {
@@ -182,7 +182,7 @@ Table not_computed_table(const std::vector<Outcome>& outcomes) {
                           {o.reference_text + (o.ledger.units == "-" ? "" : " " + o.ledger.units), ""},
                           {o.is_worse_than_expected() ? o.detail + " (a verdict was expected)" : o.detail,
                            o.is_worse_than_expected() ? "small not-reproduced" : "small"},
-                          {fmt::format("{}, line {}", o.ledger.source, o.ledger.line), "small"}});
+                          {source_text(o.ledger), "small"}});
     }
     return t;
 }

@@ -52,6 +52,11 @@ PooledScatter pool_scatter(std::span<const std::vector<double>> groups) {
     return {freedom > 0 ? std::sqrt(squares / freedom) : 0, freedom};
 }
 
+double prediction_uncertainty(double scatter, double degrees_of_freedom, std::size_t n, double reading_uncertainty) {
+    const double t = student_t_quantile(two_sided_95, degrees_of_freedom);
+    return std::hypot(t * scatter * std::sqrt(1 + 1 / static_cast<double>(n)), reading_uncertainty);
+}
+
 Estimate estimate(std::span<const double> values, double reading_uncertainty, const PooledScatter& pooled) {
     Estimate e;
     e.n = values.size();
@@ -64,9 +69,7 @@ Estimate estimate(std::span<const double> values, double reading_uncertainty, co
         e.uncertainty = infinity;
         return e;
     }
-    const double t = student_t_quantile(two_sided_95, freedom);
-    e.uncertainty =
-        std::sqrt(t * t * s * s * (1 + 1 / static_cast<double>(e.n)) + reading_uncertainty * reading_uncertainty);
+    e.uncertainty = prediction_uncertainty(s, freedom, e.n, reading_uncertainty);
     return e;
 }
 

@@ -21,8 +21,12 @@ struct PooledScatter {
 };
 [[nodiscard]] PooledScatter pool_scatter(std::span<const std::vector<double>> groups);
 
-/// Mean over realisations with the uncertainty U = √(t²(0.975, ν) s² (1 + 1/n) + u_read²): a prediction interval, since
-/// the reference is itself one realisation, with the reading uncertainty of the reference added.
+/// U = √(t²(0.975, ν) s² (1 + 1/n) + u_read²): a prediction interval, since the reference is itself one realisation,
+/// with the reading uncertainty of the reference added. Needs ν ≥ 1.
+[[nodiscard]] double prediction_uncertainty(double scatter, double degrees_of_freedom, std::size_t n,
+                                            double reading_uncertainty);
+
+/// Mean over realisations with its U.
 struct Estimate {
     double mean = 0;
     double scatter = 0;      ///< standard deviation of the realisations; 0 if n = 1

@@ -230,6 +230,73 @@ TEST_F(Project, MissingRunsAndMissingRowsFailTheCheck) {
               "evidence,source");
 }
 
+TEST_F(Project, MeasurementsStandBesideRuns) {
+    write_text((root / "reference_data/external.csv").string(),
+               "id,chapter,quantity,symbol,value,units,condition,source,line,kind,note\n"
+               "X001,2,Restitution,e,0.5266,-,,formula,,exact,\n"
+               "X002,2,Angle of repose,phi,30,deg,,a paper,,published,\n");
+    write_text((root / "m/measurements.csv").string(),
+               "name,value,units,scatter,n,note\n"
+               "restitution,0.5268,-,,1,head-on\nrepose,31,deg,0.5,5,mean\nheight,3,m,,1,\n");
+    const std::string rows =
+        "X001,measured:restitution,,,,,,equal,,0.001,integration error,match,,\n"
+        "X001-b,measured:restitution,,,,,,equal,,0.0001,integration error,match,,\n"
+        "X001-c,measured:restitution,,,,,,equal,,U,scatter,match,,\n"
+        "X002,measured:repose,,,,,,equal,,U,scatter,match,,\n"
+        "X002-b,measured:repose,,,,,,equal,=28,U,scatter,match,,\n"
+        "X002-c,measured:repose,,,,,,above,=28,U,scatter,match,,\n"
+        "X002-d,measured:height,,,,,,equal,,U,scatter,match,,\n"
+        "X002-e,measured:nothing,,,,,,equal,,U,scatter,match,,\n"
+        "X001-d,measured:restitution,,,,,,above,=0.5,0,one exact run,match,,\n";
+    const auto o = check(rows, {(root / "m").string()}).outcomes;
+    ASSERT_EQ(o.size(), 9U);  // chapter 2's rows from elsewhere call for none of the dissertation's
+    EXPECT_EQ(o[0].verdict, Verdict::match);
+    EXPECT_EQ(o[1].verdict, Verdict::not_reproduced);
+    EXPECT_EQ(o[2].verdict, Verdict::unresolved);  // one value knows no scatter
+    // t(0.975, 4) = 2.776 and half a unit of the last digit: U = √((2.776 · 0.5)² · 6/5 + 0.5²).
+    EXPECT_NEAR(o[3].uncertainty, std::sqrt(2.7764 * 2.7764 * 0.25 * 1.2 + 0.25), 1e-3);
+    EXPECT_EQ(o[3].verdict, Verdict::match);
+    EXPECT_EQ(o[4].verdict, Verdict::not_reproduced);
+    EXPECT_EQ(o[5].verdict, Verdict::match);
+    EXPECT_NE(o[6].detail.find("measured in m but the ledger row is in deg"), std::string::npos);
+    EXPECT_EQ(o[7].verdict, Verdict::not_computable);
+    EXPECT_EQ(o[8].verdict, Verdict::match);
+
+    write_text((root / "other/measurements.csv").string(), "name,value,units,scatter,n,note\nheight,4,m,,1,\n");
+    EXPECT_NE(message_of([&] {
+                  static_cast<void>(check(rows, {(root / "m").string(), (root / "other").string()}));
+              }).find("measurement height stands twice"),
+              std::string::npos);
+    write_text((root / "bad/measurements.csv").string(), "name,value,units,scatter,n,note\nheight,tall,m,,1,\n");
+    const auto bad = check(rows, {(root / "bad").string()});
+    ASSERT_EQ(bad.campaign.unusable.size(), 1U);
+    EXPECT_NE(bad.campaign.unusable[0].find("measurements.csv:2: value is not a number"), std::string::npos);
+}
+
+TEST_F(Project, IdsOfBothLedgersAreDistinct) {
+    write_text((root / "reference_data/external.csv").string(),
+               "id,chapter,quantity,symbol,value,units,condition,source,line,kind,note\n"
+               "D107,2,Restitution,e,0.5266,-,,formula,,exact,\n");
+    EXPECT_NE(message_of([&] { static_cast<void>(check("", {})); }).find("the id D107 stands twice"),
+              std::string::npos);
+}
+
+TEST(Ledger, ValuesFromElsewhereAreExactOrPublishedAndNameTheirSource) {
+    std::size_t found = 0;
+    for (const auto& [id, row] : read_ledger(IFEDEM_SOURCE_DIR)) {
+        if (!id.starts_with('X')) continue;
+        ++found;
+        EXPECT_TRUE(row.kind == "exact" || row.kind == "published") << id;
+        EXPECT_FALSE(row.source.empty()) << id;
+        EXPECT_TRUE(row.kind != "exact" || row.number()) << id;
+        EXPECT_FALSE(row.needs_verdict()) << id;
+    }
+    EXPECT_GE(found, 1U);
+    const double zeta = 0.2;
+    EXPECT_NEAR(*read_ledger(IFEDEM_SOURCE_DIR).at("X001").number(), std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta)),
+                1e-9);
+}
+
 TEST_F(Project, WorseThanExpectedFailsAndAsExpectedDoesNot) {
     const std::string claims = (root / "claims.csv").string();
     const std::string rest =

@@ -131,6 +131,49 @@ TEST(Report, IsCompleteSelfContainedAndTheSameTwice) {
     if (std::getenv("IFEDEM_KEEP_REPORT") == nullptr) fs::remove_all(root);
 }
 
+TEST(Report, DrawsFilesThatDirectoriesHold) {
+    const fs::path root = fresh_directory("report-files");
+    write_text((root / "reference_data/dissertation.csv").string(),
+               "id,chapter,quantity,symbol,value,units,condition,source,line,kind,note\n"
+               "D001,2,A number,x,1,-,,Eq 1,1,result,\n");
+    const std::string source = IFEDEM_SOURCE_DIR;
+    fs::create_directories(root / "reports");
+    fs::copy(source + "/reports/templates", root / "reports/templates");
+    fs::copy(source + "/reports/style.gp", root / "reports/style.gp");
+    const fs::path chapter = root / "reproductions/chapter2";
+    write_text((chapter / "claims.csv").string(),
+               "id,metric,window,wheel,gravity,load_N,slip_percent,compare,reference,tolerance,tolerance_origin,"
+               "expected,evidence,note\nD001,measured:x,,,,,,equal,,0.1,a test,match,,\n");
+    write_text((chapter / "choices.csv").string(), "key,value,text_says,reason,sensitivity\n");
+    write_text((chapter / "curve.gp").string(), "load style\nplot data using 1:2 with lines\n");
+    write_text((chapter / "figures.csv").string(),
+               "name,script,data,metric,series,title,ylabel,caption,style\n"
+               "second,curve.gp,file,b,out/curve.csv,Second,,,\n"
+               "first,curve.gp,file,,out/curve.csv,First,,,\n"
+               "picture,,file,,picture.png,Picture,,,\n"
+               "absent,curve.gp,file,,nowhere.csv,Absent,,,\n");
+    const std::string measured = "name,value,units,scatter,n,note\n";
+    write_text((root / "a/measurements.csv").string(), measured + "x,1.05,-,,1,a note\n");
+    write_text((root / "b/measurements.csv").string(), measured);
+    write_text((root / "a/out/curve.csv").string(), "x,y\n0,1\n1,2\n");
+    write_text((root / "b/out/curve.csv").string(), "x,y\n0,3\n1,4\n");
+    write_text((root / "b/picture.png").string(), std::string("\x89PNG\r\n\x1a\n", 8));
+    write_report({(chapter / "claims.csv").string(),
+                  {(root / "a").string(), (root / "b/").string()},
+                  (root / "out").string(),
+                  "",
+                  ""});
+    EXPECT_EQ(read_text((root / "out/figures/first.csv").string()), "x,y\n0,1\n1,2\n");
+    EXPECT_EQ(read_text((root / "out/figures/second.csv").string()), "x,y\n0,3\n1,4\n");
+    EXPECT_TRUE(fs::exists(root / "out/figures/first.svg"));
+    EXPECT_TRUE(fs::exists(root / "out/figures/picture.png"));
+    EXPECT_FALSE(fs::exists(root / "out/figures/absent.csv"));
+    const std::string markdown = read_text((root / "out/report.md").string());
+    EXPECT_EQ(markdown.find("Verdicts: 1 match"), 0U) << markdown.substr(0, 100);
+    EXPECT_NE(markdown.find("a note"), std::string::npos);
+    fs::remove_all(root);
+}
+
 TEST(Report, WithoutRunsSaysSo) {
     const fs::path root = fresh_directory("report-empty");
     const std::string source = IFEDEM_SOURCE_DIR;
