@@ -58,9 +58,11 @@ void add_stage(CLI::App& app, RunRequest& request, std::vector<std::string>& set
     stage->add_option("--stages", request.stage_cache, "cache of finished stages");
     stage->add_flag_callback(
         "--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    request.last_stage = Stage::sinkage;
+    stage->add_flag_callback(
+        "--bed", [&] { request.last_stage = Stage::consolidation; }, "consolidation only: wheels and loads share it");
     stage->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
-        request.last_stage = Stage::sinkage;
         code = run_case(request);
     });
 }

@@ -1,69 +1,63 @@
-# Chapter 3 as a graph of files: bed → sunk wheel → travel → checks → report. Included from the top level's directory:
+# Chapter 3 as a graph of files: bed → sunk wheel → travel (sweep.mk) → checks, figures and report. Included from the top
+# level's directory:
 #   make -f reproductions/chapter3/chapter.mk reproduce
-# A run that was interrupted goes on from its checkpoint; a finished one is not repeated unless its case or the results version
-# changes.
 
 CHAPTER := reproductions/chapter3
-include $(CHAPTER)/realisations.mk
+SWEEP   := $(CHAPTER)/chapter.mk
 OUT     := build/runs/chapter3
 REPORT  := build/reports/chapter3
-CASES   := $(wildcard $(CHAPTER)/cases/*.toml)
 COMMAND ?= make reproduce-chapter3
 
-# WHEEL-PLANET-LOAD-sSLIP-rREALISATION. A realisation is a packing seed and a lug phase (golden section of the pitch of 30°).
-SLIPS  := 0 10 20 30 40 50 60 70
-EARTH  := $(foreach s,$(SLIPS),B3-earth-170N-s$(s)-r1) $(foreach r,2 3 4 5 6 7 8,B3-earth-170N-s60-r$(r))
-MARS   := $(foreach r,1 2 3 4 5 6 7 8,B3-mars-64.4N-s60-r$(r))
-RUNS   := $(EARTH) $(MARS)
+# WHEEL-PLANET-LOAD-sSLIP-rREALISATION, what the text gives numbers for first. A realisation is a packing seed and a lug phase.
+SLIPS := 0 10 20 30 40 50 60 70
+LOADS := 170 100 50 130 70
+slips_of = $(foreach s,$(SLIPS),$(1)-s$(s)-r1)
+more_of  = $(foreach r,$(2),$(1)-r$(r))
+RUNS := $(call slips_of,B3-earth-170N) $(call more_of,B3-earth-170N-s60,2 3 4 5 6 7 8) \
+        $(call slips_of,B3-mars-64.4N) $(call more_of,B3-mars-64.4N-s60,2 3 4 5 6 7 8) \
+        $(foreach w,B3-earth-170N B3-mars-64.4N,$(foreach s,20 70,$(call more_of,$(w)-s$(s),2 3))) \
+        $(call slips_of,B6-earth-170N) $(call slips_of,B6-mars-64.4N) \
+        $(foreach w,B6-earth-170N B6-mars-64.4N B3-earth-100N B3-earth-50N,$(call more_of,$(w)-s60,2 3)) \
+        $(foreach l,$(wordlist 2,5,$(LOADS)),$(foreach w,B3 B6,$(call slips_of,$(w)-earth-$(l)N)))
+
+.PHONY: reproduce runs report quick
+
+# Plain commands, so that a signal to make reaches the sweep. Whatever failed there is told, and the report is written.
+reproduce:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
+	@$(MAKE) --no-print-directory -f $(SWEEP) report
+
+runs: sweep
+
+include $(CHAPTER)/sweep.mk
 
 part = $(word $(2),$(subst -, ,$(1)))
 case_of = $(CHAPTER)/cases/$(call part,$(1),1)-$(call part,$(1),2).toml
-realisation_of = $(patsubst r%,%,$(call part,$(1),5))
-bed_of = $(call part,$(1),1)-$(call part,$(1),2)-r$(call realisation_of,$(1))
-load_of = $(patsubst %N,%,$(call part,$(1),3))
-sets_of = --set wheel.load_N=$(call load_of,$(1)) --set bed.seed=$(call realisation_of,$(1)) \
-          --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1)))
+realisation_of = $(patsubst r%,%,$(lastword $(subst -, ,$(1))))
+bed_of = $(call part,$(1),2)-r$(call realisation_of,$(1))
+sunk_of = $(call part,$(1),1)-$(call part,$(1),2)-$(call part,$(1),3)-r$(call realisation_of,$(1))
+sets_of = --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) \
+          --set wheel.load_N=$(patsubst %N,%,$(call part,$(1),3))
+slip_of = --set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),4))
 
-.PHONY: reproduce runs quick
-.SECONDARY:
+SUNK := $(sort $(foreach r,$(RUNS),$(call sunk_of,$(r))))
+BEDS := $(sort $(foreach r,$(RUNS),$(call bed_of,$(r))))
+$(foreach b,$(BEDS),$(eval $(call bed_rule,$(b),$(CHAPTER)/cases/B3-$(call part,$(b),1).toml,--set bed.seed=$(call realisation_of,$(b)))))
+$(foreach s,$(SUNK),$(eval $(call sunk_rule,$(s),$(call case_of,$(s)),$(call sets_of,$(s)),$(call bed_of,$(s)))))
+$(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
 
-reproduce:
-	@mkdir -p $(OUT)
-	@$(IFEDEM) watch $(addprefix $(OUT)/,$(RUNS)) & watcher=$$!; \
-	$(MAKE) --no-print-directory -k -j$(JOBS) -f $(CHAPTER)/chapter.mk runs; status=$$?; \
-	kill $$watcher 2>/dev/null; wait $$watcher 2>/dev/null; exit $$status
-	@$(IFEDEM) report $(CHAPTER)/claims.csv $(addprefix $(OUT)/,$(RUNS)) $(OUT)/stiffness -o $(REPORT) \
+travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS))) $(OUT)/stiffness/stiffness_summary.csv
+
+$(OUT)/stiffness/stiffness_summary.csv: $(INPUTS)
+	@exec > /dev/null 2> $(OUT)/logs/stiffness.log; \
+	exec $(IFEDEM) stiffness $(CHAPTER)/cases/B3-earth.toml $(CHAPTER)/cases/B6-earth.toml -o $(OUT)/stiffness
+
+report: $(INPUTS)
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness -o $(REPORT) \
 	  --title "Chapter 3: an elastic rover wheel on sand" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
-	@$(IFEDEM) check $(CHAPTER)/claims.csv $(addprefix $(OUT)/,$(RUNS)) $(OUT)/stiffness -o $(REPORT)/checks.csv
-
-runs: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS))) $(OUT)/stiffness/stiffness_summary.csv
-
-# Renewed only when the number changes, so that rebuilding the program does not repeat the campaign.
-$(OUT)/results_version: FORCE
-	@mkdir -p $(OUT)
-	@$(IFEDEM) --version | sed 's/.*results version \([0-9]*\).*/\1/' | cmp -s - $@ || \
-	$(IFEDEM) --version | sed 's/.*results version \([0-9]*\).*/\1/' > $@
-FORCE:
-
-# The sunk wheel of a planet, load and realisation; its travels share it.
-define prepare_rule
-$(OUT)/prepared-$(call part,$(1),1)-$(call part,$(1),2)-$(call part,$(1),3)-r$(call realisation_of,$(1)): $(CASES) $(OUT)/results_version
-	@$(IFEDEM) prepare $(call case_of,$(1)) $(call sets_of,$(1)) --quiet > /dev/null && touch $$@
-endef
-unique_beds := $(sort $(foreach r,$(RUNS),$(call part,$(r),1)-$(call part,$(r),2)-$(call part,$(r),3)-s-r$(call realisation_of,$(r))))
-$(foreach b,$(unique_beds),$(eval $(call prepare_rule,$(b))))
-
-define run_rule
-$(OUT)/$(1)/run.csv: $(OUT)/prepared-$(call part,$(1),1)-$(call part,$(1),2)-$(call part,$(1),3)-r$(call realisation_of,$(1))
-	@if [ -f $(OUT)/$(1)/checkpoint.h5 ] && [ $(OUT)/$(1)/checkpoint.h5 -nt $(OUT)/results_version ]; then $(IFEDEM) resume $(OUT)/$(1) --quiet > /dev/null; \
-	else $(IFEDEM) run $(call case_of,$(1)) -o $(OUT)/$(1) --force --quiet $(call sets_of,$(1)) \
-	  --set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),4)) > /dev/null; fi
-endef
-$(foreach r,$(RUNS),$(eval $(call run_rule,$(r))))
-
-$(OUT)/stiffness/stiffness_summary.csv: $(CASES)
-	@$(IFEDEM) stiffness $(CHAPTER)/cases/B3-earth.toml $(CHAPTER)/cases/B6-earth.toml -o $(OUT)/stiffness
+	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness -o $(REPORT)/checks.csv
+	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
 
 quick:
 	@mkdir -p build/runs/quick3
