@@ -8,6 +8,7 @@ namespace ifedem {
 WheelModel make_wheel_model(const WheelCase& wheel) {
     WheelModel m;
     m.mesh = make_wheel_mesh(wheel);
+    m.surface = make_loop(m.mesh.boundary);
     m.elements = make_elements(m.mesh.mesh, wheel_materials(wheel), wheel.width_m, wheel.plane);
     m.body = wheel.body;
     m.damping_frame = wheel.damping_frame;

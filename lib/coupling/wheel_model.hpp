@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "coupling/surface_contact.hpp"
 #include "fem/elements.hpp"
 #include "fem/mesh.hpp"
 #include "model/case.hpp"
@@ -12,6 +13,7 @@ namespace ifedem {
 /// The wheel as the step needs it; constant during a run.
 struct WheelModel {
     WheelMesh mesh;
+    Surface surface;  ///< mesh.boundary as segments
     ElementSet elements;
     WheelBody body = WheelBody::rigid_rim;
     DampingFrame damping_frame = DampingFrame::rigid_motion;

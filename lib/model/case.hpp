@@ -34,6 +34,7 @@ struct ContactCase {
     double friction_soil = 0.6;
     double friction_wall = 0.4;
     double friction_wheel = 0.1;
+    double friction_elements = 0.6;
     double consolidation_friction_soil = 0.0;
     double consolidation_friction_wall = 0.0;
     double damping_ratio = 0.2;  ///< ζ = C / (2 √(K m_eff)), both directions
@@ -104,6 +105,17 @@ struct ControlCase {
     GainsCase torque{1e3, 1e3, 1e3};   ///< N m/rad, N m/(rad s), N m s/rad
 };
 
+/// Soil made of elements (chapter 5); none by default.
+struct ElementsCase {
+    std::int64_t columns = 0;  ///< blocks between the side walls; 0 = no soil elements
+    std::int64_t rows = 2;
+    double block_length_m = 0.15;
+    double block_height_m = 0.2;
+    std::int64_t first_disc_column = 0;
+    std::int64_t disc_columns = 0;
+    MaterialCase material{1.7e6, 0.3, 2200, 10};
+};
+
 struct StagesCase {
     double consolidation_s = 1;
     double sinkage_s = 2;
@@ -131,6 +143,7 @@ struct Case {
     SoilCase soil;
     ContactCase contact;
     BedCase bed;
+    ElementsCase elements;
     WheelCase wheel;
     TravelCase travel;
     ControlCase control;

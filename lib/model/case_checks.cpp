@@ -30,6 +30,23 @@ void check_soil(const Case& c, Faults& faults) {
     }
 }
 
+void check_elements(const Case& c, Faults& faults) {
+    const ElementsCase& e = c.elements;
+    if (e.columns == 0) return;
+    const double length = static_cast<double>(e.columns) * e.block_length_m;
+    if (!(std::fabs(length - c.bed.length_m) <= 1e-9)) {
+        faults.push_back({{"elements.columns", "elements.block_length_m", "bed.length_m"},
+                          fmt::format("the blocks of soil elements do not end at the wall ({} of {} m are {} m, "
+                                      "bed.length_m = {}). Change one of them?",
+                                      e.columns, e.block_length_m, length, c.bed.length_m)});
+    }
+    if (!(e.first_disc_column + e.disc_columns <= e.columns)) {
+        faults.push_back({{"elements.first_disc_column", "elements.disc_columns", "elements.columns"},
+                          fmt::format("the blocks of discs leave the grid (columns {} to {} of {}). Move them?",
+                                      e.first_disc_column, e.first_disc_column + e.disc_columns, e.columns)});
+    }
+}
+
 void check_wheel(const WheelCase& wheel, Faults& faults) {
     const double inner = wheel.tread_radius_m - wheel.surface_thickness_m;
     if (!(wheel.rim_radius_m < inner)) {
@@ -123,6 +140,7 @@ std::optional<std::string> find_range_fault(const Key& key, double value) {
 std::vector<RuleFault> find_rule_faults(const Case& c) {
     Faults faults;
     check_soil(c, faults);
+    check_elements(c, faults);
     check_wheel(c.wheel, faults);
     check_travel(c, faults);
     check_times(c, faults);

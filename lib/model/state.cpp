@@ -30,6 +30,8 @@ template <>
 constexpr std::size_t size_of_members<EnergyLedger> = 6 * sizeof(double);
 template <>
 constexpr std::size_t size_of_members<SeriesSums> = 9 * sizeof(double);
+template <>
+constexpr std::size_t size_of_members<ElementShape> = 8 * sizeof(double);
 
 void add_bytes(Hasher& hasher, const void* data, std::size_t size) {
     const auto* bytes = static_cast<const unsigned char*>(data);
@@ -64,7 +66,9 @@ void add_member(Hasher& hasher, const std::vector<T>& values) {
 
 std::uint64_t hash_state(const State& state) {
     Hasher hasher;
-    for_each_member(state, [&hasher](const char*, const auto& member) { add_member(hasher, member); });
+    const auto add = [&hasher](const char*, const auto& member) { add_member(hasher, member); };
+    for_each_member(state, add);
+    if (has_soil_elements(state)) for_each_soil_member(state, add);
     return hasher.value();
 }
 

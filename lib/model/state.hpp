@@ -90,7 +90,7 @@ struct EnergyLedger {
     double lost_normal_J = 0;      ///< dashpots and the release of springs cut off at the contact end
     double lost_tangential_J = 0;  ///< sliding and tangential dashpots
     double lost_rolling_J = 0;
-    double lost_wheel_J = 0;  ///< damping of the wheel's elements
+    double lost_wheel_J = 0;  ///< damping of the wheel's and the soil's elements
 };
 
 /// Sums over the steps since the last line of series.csv, so that a line is the mean over its interval.
@@ -110,6 +110,26 @@ struct Progress {
     std::uint64_t total_steps = 0;  ///< of all stages so far
 };
 
+// ---- Soil elements (chapter 5)
+// ----------------------------------------------------------------------------------------
+
+/// What a block of the soil's grid consists of.
+enum class BlockKind : std::uint32_t { discs = 0, element = 1 };
+
+/// The shape in which a soil element is free of stress, counter-clockwise from its lower left corner.
+struct ElementShape {
+    std::array<Vec2, 4> corner_m;
+};
+
+/// The soil's grid of blocks: node (i, j) has number j (columns + 1) + i, block (i, j) number j columns + i. Nodes
+/// without an element rest at their last place.
+struct SoilState {
+    std::vector<BlockKind> kind;
+    std::vector<ElementShape> shape;  ///< per block; of no meaning for discs
+    std::vector<Vec2> position_m, velocity_m_s;
+    std::vector<BoundaryContact> contacts;  ///< with the elements' segments; sorted by list position, segment
+};
+
 struct State {
     Progress progress;
     DiscState discs;
@@ -121,7 +141,10 @@ struct State {
     EnergyLedger energy;
     SeriesSums series;
     Vec2 touch_position_m;  ///< hub centre just before the first touch: the zero of sinkage
+    SoilState soil;         ///< empty without soil elements
 };
+
+[[nodiscard]] inline bool has_soil_elements(const State& s) { return !s.soil.kind.empty(); }
 
 /// Calls f(name, member) for every member of the state, in a fixed order. Members are arithmetic values, enums, Vec2
 /// and other aggregates of doubles, or vectors of these. Works on State& and const State&.
@@ -149,6 +172,17 @@ void for_each_member(S& s, F&& f) {
     f("energy", s.energy);
     f("series", s.series);
     f("touch_position_m", s.touch_position_m);
+}
+
+/// The same for the members that only scenes with soil elements have: they add nothing to other scenes' hash and
+/// checkpoint.
+template <class S, class F>
+void for_each_soil_member(S& s, F&& f) {
+    f("soil_kind", s.soil.kind);
+    f("soil_shape", s.soil.shape);
+    f("soil_position_m", s.soil.position_m);
+    f("soil_velocity_m_s", s.soil.velocity_m_s);
+    f("soil_contacts", s.soil.contacts);
 }
 
 /// The hash that `run` prints: every member, bytes as they are.

@@ -181,7 +181,9 @@ std::vector<std::byte> make_image(const std::string& path, const State& state, c
     hdf5::write_integer_attribute(file, "checkpoint_version", format_version, path);
     hdf5::write_integer_attribute(file, "results_version", results_version, path);
     hdf5::write_text_attribute(file, "case", to_toml(c), path);
-    for_each_member(state, [&](const char* name, const auto& member) { write_member(file, path, name, member); });
+    const auto write = [&](const char* name, const auto& member) { write_member(file, path, name, member); };
+    for_each_member(state, write);
+    if (has_soil_elements(state)) for_each_soil_member(state, write);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "make", path);
     const ssize_t size = H5Fget_file_image(file, nullptr, 0);
     if (size <= 0) hdf5::fail("make", path);
@@ -252,7 +254,9 @@ Checkpoint read_checkpoint(const std::string& path) {
     Checkpoint checkpoint;
     checkpoint.results_version = static_cast<int>(hdf5::read_integer_attribute(file, "results_version", path));
     checkpoint.c = read_stored_case(file, path);
-    for_each_member(checkpoint.state, [&](const char* name, auto& member) { read_member(file, path, name, member); });
+    const auto read = [&](const char* name, auto& member) { read_member(file, path, name, member); };
+    for_each_member(checkpoint.state, read);
+    if (H5Lexists(file, "soil_kind", H5P_DEFAULT) > 0) for_each_soil_member(checkpoint.state, read);
     return checkpoint;
 }
 

@@ -46,7 +46,9 @@ Rows rows_of(const char* name, const std::vector<T>& values) {
 
 std::vector<Rows> all_rows(const State& state) {
     std::vector<Rows> rows;
-    for_each_member(state, [&](const char* name, const auto& member) { rows.push_back(rows_of(name, member)); });
+    const auto add = [&](const char* name, const auto& member) { rows.push_back(rows_of(name, member)); };
+    for_each_member(state, add);
+    for_each_soil_member(state, add);
     return rows;
 }
 

@@ -128,6 +128,35 @@ void add_wheel_losses(const Scene& scene, const std::vector<Disc>& before, const
          m.body_inertia_kg_m2 * (absolute ? rim_omega : rim0.omega_rad_s - frame.omega_rad_s) * rim_omega);
 }
 
+void add_soil_losses(const Scene& scene, const std::vector<Disc>& before, const SoilState& soil_before,
+                     const State& after, const SoilWorkspace& work, EnergyFlow& flow) {
+    const auto mean_velocity = [&](std::uint32_t n) {
+        return 0.5 * (soil_before.velocity_m_s[n] + after.soil.velocity_m_s[n]);
+    };
+    for (const SurfaceContact& c : work.contact) {
+        const Vec2 surface = (1.0 - c.share) * mean_velocity(c.from) + c.share * mean_velocity(c.to);
+        add_boundary_losses(scene.soil.contact, midway(before[c.position], after.discs.disc[c.position]),
+                            Vec2{0, 0} - c.outward, c.on_disc, surface, c.old_spring_m, scene.dem.step_s, flow);
+    }
+    for (const SoilNode& n : work.node)
+        flow.lost_wheel_W += n.damping_kg_s * dot(mean_velocity(n.number), mean_velocity(n.number));
+}
+
+double stored_in_contact(const ContactConstants& k, double overlap_m, double spring_m) {
+    return overlap_m > 0 ? 0.5 * k.normal_stiffness_N_m * squared(overlap_m) + spring_energy(k, spring_m) : 0.0;
+}
+
+void add_soil_energy(const Scene& scene, const State& state, const SoilWorkspace& work, EnergyStore& e) {
+    for (const SurfaceContact& c : work.contact)
+        e.springs_J += stored_in_contact(scene.soil.contact, c.on_disc.overlap_m, c.on_disc.tangential_spring_m);
+    for (const SoilNode& n : work.node) {
+        const Vec2 v = state.soil.velocity_m_s[n.number];
+        e.kinetic_soil_J += 0.5 * n.mass_kg * dot(v, v);
+        e.height_soil_J -= n.mass_kg * dot(scene.soil.gravity_m_s2, state.soil.position_m[n.number]);
+    }
+    e.strain_J += strain_energy_J(work.elements, state.soil.position_m);
+}
+
 std::vector<double> springs_of(const std::vector<BoundaryContact>& contacts) {
     std::vector<double> springs;
     for (const BoundaryContact& c : contacts) springs.push_back(c.tangential_m);
@@ -142,23 +171,21 @@ EnergyStore measure_energy(const Scene& scene, const State& state, const Workspa
         e.kinetic_discs_J += kinetic_energy(d);
         e.height_discs_J -= dot(scene.dem.gravity_m_s2, {d.x_m, d.y_m}) / d.inverse_mass_1_kg;
     }
-    const auto stored = [](const ContactConstants& k, double overlap, double spring) {
-        return overlap > 0 ? 0.5 * k.normal_stiffness_N_m * squared(overlap) + spring_energy(k, spring) : 0.0;
-    };
     const auto& disc = state.discs.disc;
     for (std::size_t n = 0; n < work.dem.i.size(); ++n)
-        e.springs_J += stored(scene.dem.soil, pair_motion(disc[work.dem.i[n]], disc[work.dem.j[n]]).overlap,
-                              state.pairs.tangential_m[n]);
+        e.springs_J += stored_in_contact(scene.dem.soil, pair_motion(disc[work.dem.i[n]], disc[work.dem.j[n]]).overlap,
+                                         state.pairs.tangential_m[n]);
     for (std::size_t n = 0; n < work.dem.wall.size(); ++n) {
         const Disc& d = disc[work.dem.wall[n].position];
         const WallSide side = find_wall_side(scene.dem, work.dem.wall[n].wall, d);
-        e.springs_J += stored(scene.dem.wall, d.radius_m + side.opposite_radius_m - side.distance_m,
-                              state.wall_contacts[n].tangential_m);
+        e.springs_J += stored_in_contact(scene.dem.wall, d.radius_m + side.opposite_radius_m - side.distance_m,
+                                         state.wall_contacts[n].tangential_m);
     }
+    if (scene.has_soil_elements()) add_soil_energy(scene, state, work.soil, e);
     if (!scene.has_wheel()) return e;
     for (std::size_t n = 0; n < work.wheel.contact.size(); ++n)
-        e.springs_J += stored(scene.dem.wheel, work.wheel.contact[n].on_disc.overlap_m,
-                              work.wheel.contact[n].on_disc.tangential_spring_m);
+        e.springs_J += stored_in_contact(scene.dem.wheel, work.wheel.contact[n].on_disc.overlap_m,
+                                         work.wheel.contact[n].on_disc.tangential_spring_m);
     const WheelModel& m = scene.wheel;
     for (const std::uint32_t n : m.free_node)
         e.kinetic_wheel_J +=
@@ -167,7 +194,7 @@ EnergyStore measure_energy(const Scene& scene, const State& state, const Workspa
     if (m.body != WheelBody::elastic)
         e.kinetic_wheel_J += 0.5 * m.body_mass_kg * dot(rim.velocity_m_s, rim.velocity_m_s) +
                              0.5 * m.body_inertia_kg_m2 * squared(rim.omega_rad_s);
-    if (!m.free_node.empty()) e.strain_J = strain_energy_J(m.elements, state.wheel.position_m);
+    if (!m.free_node.empty()) e.strain_J += strain_energy_J(m.elements, state.wheel.position_m);
     e.height_load_J = m.load_N * rim.position_m.y;
     return e;
 }
@@ -177,11 +204,13 @@ EnergyFlow step_and_measure(const Scene& scene, State& state, Workspace& work) {
     const std::vector<Disc> discs = state.discs.disc;
     const std::vector<double> pair_springs = state.pairs.tangential_m, wall_springs = springs_of(state.wall_contacts);
     const WheelState wheel = state.wheel;
+    const SoilState soil = state.soil;
     step(scene, state, work);
     EnergyFlow flow;
     add_pair_losses(scene, discs, pair_springs, state, work.dem, flow);
     add_wall_losses(scene, discs, wall_springs, state, work.dem, flow);
     add_rolling_losses(scene, discs, state, work.dem, flow);
+    if (scene.has_soil_elements()) add_soil_losses(scene, discs, soil, state, work.soil, flow);
     if (scene.has_wheel()) add_wheel_losses(scene, discs, wheel, state, work.wheel, flow);
     return flow;
 }

@@ -43,6 +43,17 @@ std::optional<Violation> check_overlaps(const Scene& scene, const State& state, 
         return Violation{
             state.progress.total_steps, fmt::format("disc {} and the wheel overlap", work.wheel.deepest_disc),
             work.wheel.largest_overlap_share, limit, "Raise contact.normal_stiffness_N_m, or halve time_step_s."};
+    if (scene.has_soil_elements() && work.soil.largest_overlap_share > limit)
+        return Violation{
+            state.progress.total_steps, fmt::format("disc {} and a soil element overlap", work.soil.deepest_disc),
+            work.soil.largest_overlap_share, limit, "Raise contact.normal_stiffness_N_m, or halve time_step_s."};
+    return std::nullopt;
+}
+
+std::optional<Violation> check_soil(const State& state, const SoilWorkspace& work) {
+    if (const auto e = find_inverted(work.elements, state.soil.position_m))
+        return Violation{state.progress.total_steps, fmt::format("soil element {} is inverted", work.block[*e]), 0, 0,
+                         "Stiffen elements.material, keep the wheel further from the elements, or halve time_step_s."};
     return std::nullopt;
 }
 
@@ -73,6 +84,8 @@ std::optional<Violation> check_health(const Scene& scene, const State& state, co
     if (auto v = check_discs(scene, state)) return v;
     if (scene.has_wheel())
         if (auto v = check_wheel(scene, state)) return v;
+    if (scene.has_soil_elements())
+        if (auto v = check_soil(state, work.soil)) return v;
     return check_overlaps(scene, state, work);
 }
 

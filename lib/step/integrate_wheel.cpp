@@ -1,16 +1,11 @@
 #include "step/integrate_wheel.hpp"
 
 #include "core/bitmath.hpp"
+#include "step/central_difference.hpp"
 #include "traction/control.hpp"
 
 namespace ifedem {
 namespace {
-
-/// Eq 2.8 for one velocity component: m (v⁺ − v)/Δt + c (v⁺ + v)/2 = F; c > 0 for absolute damping only.
-double advance(double velocity, double force, double mass, double damping, double dt) {
-    const double half = 0.5 * dt * damping / mass;
-    return ((1.0 - half) * velocity + dt * force / mass) / (1.0 + half);
-}
 
 struct Targets {
     double x_m = 0;
@@ -29,6 +24,7 @@ Targets next_targets(const Scene& scene, const State& state) {
     return t;
 }
 
+/// c of Eq 2.8: of absolute damping only, that of the rigid-motion frame is among the forces.
 double absolute_damping_kg_s(const WheelModel& m, std::uint32_t n) {
     return m.damping_frame == DampingFrame::absolute ? m.elements.damping_kg_s[n] : 0.0;
 }
@@ -40,7 +36,8 @@ void advance_free_nodes(const Scene& scene, State& state, const WheelWorkspace& 
         Vec2& v = state.wheel.velocity_m_s[n];
         const double mass = m.elements.mass_kg[n], c = absolute_damping_kg_s(m, n);
         if (n != except)
-            v = {advance(v.x, work.force_N[n].x, mass, c, dt), advance(v.y, work.force_N[n].y, mass, c, dt)};
+            v = {advance_velocity(v.x, work.force_N[n].x, mass, c, dt),
+                 advance_velocity(v.y, work.force_N[n].y, mass, c, dt)};
     }
 }
 
@@ -67,7 +64,7 @@ void advance_rigid_rim(const Scene& scene, State& state, const WheelWorkspace& w
         advance_controlled(control.scheme, control.drawbar,
                            {m.body_mass_kg, c * m.body_mass_kg, rim.position_m.x, rim.velocity_m_s.x, force.x},
                            target.x_m, dt, state.control.drawbar);
-    rim.velocity_m_s.y = advance(rim.velocity_m_s.y, force.y, m.body_mass_kg, c * m.body_mass_kg, dt);
+    rim.velocity_m_s.y = advance_velocity(rim.velocity_m_s.y, force.y, m.body_mass_kg, c * m.body_mass_kg, dt);
     rim.omega_rad_s =
         -advance_controlled(control.scheme, control.torque,
                             {m.body_inertia_kg_m2, c * m.body_inertia_kg_m2, -rim.angle_rad, -rim.omega_rad_s, -moment},
@@ -128,7 +125,7 @@ void advance_elastic_rim(const Scene& scene, State& state, const WheelWorkspace&
     advance_free_nodes(scene, state, work, hub);
     Vec2& v = w.velocity_m_s[hub];
     const double mass = m.elements.mass_kg[hub], c = absolute_damping_kg_s(m, hub);
-    v.y = advance(v.y, work.force_N[hub].y - m.load_N, mass, c, dt);
+    v.y = advance_velocity(v.y, work.force_N[hub].y - m.load_N, mass, c, dt);
     v.x = advance_controlled(control.scheme, control.drawbar, {mass, c, w.position_m[hub].x, v.x, work.force_N[hub].x},
                              target.x_m, dt, state.control.drawbar);
     // The nodes have been advanced without T; the loop sees their mean spin as its free motion.

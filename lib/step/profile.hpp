@@ -4,9 +4,10 @@
 
 namespace ifedem {
 
-enum class Phase { lists, wheel_contact, wheel_force, wheel_motion, discs, watch, count };
-inline constexpr std::array<const char*, 6> phase_name = {"neighbour lists",   "wheel contact",   "wheel elements",
-                                                          "wheel and control", "discs and walls", "movement watch"};
+enum class Phase { lists, wheel_contact, wheel_force, wheel_motion, soil_elements, discs, watch, count };
+inline constexpr std::array<const char*, 7> phase_name = {"neighbour lists",   "wheel contact", "wheel elements",
+                                                          "wheel and control", "soil elements", "discs and walls",
+                                                          "movement watch"};
 
 /// Seconds spent in each phase of the step; off unless asked for.
 struct Profile {

@@ -43,12 +43,16 @@ Scene make_scene(const Case& c, Stage stage) {
     scene.dem = make_dem_constants(c, settling ? c.contact.consolidation_friction_soil : c.contact.friction_soil,
                                    settling ? c.contact.consolidation_friction_wall : c.contact.friction_wall);
     if (scene.has_wheel()) scene.wheel = make_wheel_model(c.wheel);
+    if (c.elements.columns > 0)
+        scene.soil = make_soil_model(c, scene.dem,
+                                     settling ? c.contact.consolidation_friction_wall : c.contact.friction_elements);
     return scene;
 }
 
 Workspace make_workspace(const Scene& scene, State& state) {
     Workspace work;
     attach_workspace(scene.dem, state, work.dem);
+    if (scene.has_soil_elements()) attach_soil_workspace(scene.soil, state.soil, work.soil);
     return work;
 }
 
@@ -67,6 +71,10 @@ std::uint64_t steps_of_stage(const Case& c, Stage stage) {
 State make_initial_state(const Case& c) {
     State state;
     state.discs = generate_bed(c);
+    if (c.elements.columns > 0) {
+        state.soil = place_soil(make_scene(c, Stage::consolidation).soil);
+        for (Disc& d : state.discs.disc) d.y_m += static_cast<double>(c.elements.rows) * c.elements.block_height_m;
+    }
     return state;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "coupling/soil_elements.hpp"
 #include "coupling/wheel_contact.hpp"
 #include "coupling/wheel_model.hpp"
 #include "dem/dem_constants.hpp"
@@ -15,7 +16,9 @@ struct Scene {
     Stage stage = Stage::consolidation;
     DemConstants dem;
     WheelModel wheel;
+    SoilModel soil;
     [[nodiscard]] bool has_wheel() const { return stage != Stage::consolidation; }
+    [[nodiscard]] bool has_soil_elements() const { return soil.columns > 0; }
 };
 
 [[nodiscard]] Scene make_scene(const Case& c, Stage stage);
@@ -24,6 +27,7 @@ struct Scene {
 struct Workspace {
     DemWorkspace dem;
     WheelWorkspace wheel;
+    SoilWorkspace soil;
     Profile profile;
 };
 

@@ -25,6 +25,7 @@ std::string stage_hash(const Case& c, Stage stage, int results_version) {
                                      "contact.rolling_chord",
                                      "contact.rolling_scheme",
                                      "contact.contact_end"};
+    if (c.elements.columns > 0) keys.emplace_back("elements");  // only then: other scenes keep their stages' names
     if (stage != Stage::consolidation)
         keys.insert(keys.end(), {"contact", "wheel", "control", "travel.start_x_m", "stages.sinkage_s"});
     if (stage == Stage::travel) keys.insert(keys.end(), {"travel", "record"});

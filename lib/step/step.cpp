@@ -6,6 +6,7 @@
 #include "dem/neighbour_lists.hpp"
 #include "dem/skins.hpp"
 #include "step/integrate_discs.hpp"
+#include "step/integrate_soil.hpp"
 #include "step/integrate_wheel.hpp"
 
 namespace ifedem {
@@ -26,12 +27,24 @@ void step(const Scene& scene, State& state, Workspace& work) {
         integrate_wheel(scene, state, work.wheel);  // control included: the loops act on what they integrate
         lap(Phase::wheel_motion);
     }
+    if (scene.has_soil_elements()) {
+        if (!scene.has_wheel()) work.dem.wheel_force.clear();
+        add_soil_contacts(scene.dem, scene.soil, state, work.dem, work.soil, spring_step_s);
+        add_soil_forces(scene.soil, state.soil, work.soil);
+        integrate_soil(scene, state, work.soil);
+        lap(Phase::soil_elements);
+    }
     add_forces(scene.dem, state, work.dem, spring_step_s,
                [&](Block& block) { integrate_discs(scene, state, work.dem, block); });
     lap(Phase::discs);
     if (twice) {
         if (scene.has_wheel()) add_wheel_contacts(scene.dem, scene.wheel, state, work.dem, work.wheel, dt);
         lap(Phase::wheel_contact);
+        if (scene.has_soil_elements()) {
+            if (!scene.has_wheel()) work.dem.wheel_force.clear();
+            add_soil_contacts(scene.dem, scene.soil, state, work.dem, work.soil, dt);
+            lap(Phase::soil_elements);
+        }
         add_forces(scene.dem, state, work.dem, dt, [&](Block& block) { correct_discs(scene, state, work.dem, block); });
         lap(Phase::discs);
     }
