@@ -144,7 +144,9 @@ TEST(Column, of_packed_discs_on_elements_is_the_sum_of_both) {
     c.elements.columns = 2;
     World both = begin(c);
     both.scene.soil.gravity_m_s2 = {};  // else they would settle under their own weight first
-    const double shift = height * (1 - low_Pa / confined);
+    double weight = 0;
+    for (const Disc& d : floor.state.discs.disc) weight += c.gravity_m_s2 * mass_of(d);
+    const double shift = height * (1 - (low_Pa + weight / area) / confined);
     both.state.discs = floor.state.discs;
     for (Disc& d : both.state.discs.disc) d.y_m += shift;
     for (Vec2& p : both.state.soil.position_m) p.y *= shift / height;
