@@ -343,6 +343,8 @@ Case vary(std::uint64_t seed) {
             choice->set(choice->member, static_cast<int>(random.below(choice->words.size())));
         }
     }
+    c.elements.columns *= 2;  // the rules: blocks end at the wall, and blocks of discs are among them
+    c.elements.block_length_m = 0.5 * c.bed.length_m;
     return c;
 }
 

@@ -39,7 +39,9 @@ void fill(std::vector<T>& values, Random& random) {
 State random_state(std::uint64_t seed) {
     State state;
     Random random{seed};
-    for_each_member(state, [&](const char*, auto& member) { fill(member, random); });
+    const auto fill_member = [&](const char*, auto& member) { fill(member, random); };
+    for_each_member(state, fill_member);
+    for_each_soil_member(state, fill_member);
     return state;
 }
 
@@ -55,12 +57,16 @@ std::string bytes_of(const std::vector<T>& values) {
 /// Name of the first member in which two states differ in a bit; empty if none does.
 std::string first_difference(const State& a, const State& b) {
     std::vector<std::string> of_a;
-    for_each_member(a, [&](const char*, const auto& member) { of_a.push_back(bytes_of(member)); });
+    const auto note = [&](const char*, const auto& member) { of_a.push_back(bytes_of(member)); };
+    for_each_member(a, note);
+    for_each_soil_member(a, note);
     std::string difference;
     std::size_t k = 0;
-    for_each_member(b, [&](const char* name, const auto& member) {
+    const auto compare = [&](const char* name, const auto& member) {
         if (of_a[k++] != bytes_of(member) && difference.empty()) difference = name;
-    });
+    };
+    for_each_member(b, compare);
+    for_each_soil_member(b, compare);
     return difference;
 }
 
