@@ -155,14 +155,18 @@ const Measurement* find_measurement(const Campaign& campaign, const std::string&
     return nullptr;
 }
 
-ValuesBySlip collect(const Campaign& campaign, const std::string& wheel, const std::string& gravity, double load_N,
-                     double RunMetrics::*member, const std::optional<Window>& window) {
+bool is_on(const Curve& curve, const Condition& condition) {
+    return condition.wheel == curve.wheel && condition.gravity == curve.gravity &&
+           std::abs(condition.load_N - curve.load_N) < 1e-9;
+}
+
+ValuesBySlip collect(const Campaign& campaign, const Curve& curve, const MetricInfo& metric,
+                     const std::optional<Window>& window) {
     ValuesBySlip values;
     for (const auto& run : campaign.runs) {
-        const auto& c = run.condition;
-        if (c.wheel != wheel || c.gravity != gravity || std::abs(c.load_N - load_N) > 1e-9 || !run.shortfall.empty())
-            continue;
-        values[c.slip_percent].push_back(window ? measure(run.run, *window).*member : run.metrics.*member);
+        if (!is_on(curve, run.condition) || !run.shortfall.empty()) continue;
+        const double value = (window ? measure(run.run, *window) : run.metrics).*metric.member;
+        values[run.condition.slip_percent].push_back(value);
     }
     return values;
 }
@@ -171,6 +175,28 @@ PooledScatter pool(const ValuesBySlip& values) {
     std::vector<std::vector<double>> groups;
     for (const auto& [slip, group] : values) groups.push_back(group);
     return pool_scatter(groups);
+}
+
+BorrowedScatter borrow_scatter(const Campaign& campaign, const Curve& curve, const MetricInfo& metric,
+                               const std::optional<Window>& window) {
+    constexpr double enough_freedom = 6;
+    const PooledScatter own = pool(collect(campaign, curve, metric, window));
+    if (own.degrees_of_freedom >= enough_freedom) return {own, false};
+    std::set<Curve> curves;
+    for (const auto& run : campaign.runs)
+        if (run.condition.gravity == curve.gravity)
+            curves.insert({run.condition.wheel, run.condition.gravity, run.condition.load_N});
+    std::vector<std::vector<double>> groups;
+    for (const auto& other : curves) {
+        const double scale = metric.unit == "N" ? curve.load_N / other.load_N : 1;
+        for (auto& [slip, group] : collect(campaign, other, metric, window)) {
+            groups.push_back(group);
+            for (double& v : groups.back()) v *= scale;
+        }
+    }
+    const PooledScatter all = pool_scatter(groups);
+    if (all.degrees_of_freedom > own.degrees_of_freedom) return {all, true};
+    return {own, false};
 }
 
 }  // namespace ifedem

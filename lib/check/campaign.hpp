@@ -62,14 +62,31 @@ struct Campaign {
 /// nullptr if nothing of this name was measured.
 [[nodiscard]] const Measurement* find_measurement(const Campaign& campaign, const std::string& name);
 
-/// Values of a metric by slip, for one wheel, gravity and load, by the text's averaging windows unless
-/// another window is given. Runs with a shortfall are left out.
+/// What one curve over slip stands for.
+struct Curve {
+    std::string wheel;
+    std::string gravity;
+    double load_N = 0;
+    auto operator<=>(const Curve&) const = default;
+};
+[[nodiscard]] bool is_on(const Curve& curve, const Condition& condition);
+
+/// Values of a metric by slip on one curve, by the text's averaging windows unless another window is given. Runs with a
+/// shortfall are left out.
 using ValuesBySlip = std::map<double, std::vector<double>>;
-[[nodiscard]] ValuesBySlip collect(const Campaign& campaign, const std::string& wheel, const std::string& gravity,
-                                   double load_N, double RunMetrics::*member,
+[[nodiscard]] ValuesBySlip collect(const Campaign& campaign, const Curve& curve, const MetricInfo& metric,
                                    const std::optional<Window>& window = std::nullopt);
 
 /// Scatter that all slips of such a set share.
 [[nodiscard]] PooledScatter pool(const ValuesBySlip& values);
+
+/// Scatter of one run where a curve has single runs: that of its own slips if these tell it well (6 degrees of
+/// freedom); else that of all realisations on the planet, both wheels and all loads, in share of the load for forces.
+struct BorrowedScatter {
+    PooledScatter pooled;
+    bool from_other_curves = false;
+};
+[[nodiscard]] BorrowedScatter borrow_scatter(const Campaign& campaign, const Curve& curve, const MetricInfo& metric,
+                                             const std::optional<Window>& window = std::nullopt);
 
 }  // namespace ifedem

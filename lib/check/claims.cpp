@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
 
+#include "check/claim_runs.hpp"
 #include "check/csv.hpp"
 #include "check/metrics.hpp"
 #include "core/error.hpp"
@@ -13,14 +15,25 @@
 namespace ifedem {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Comparison>, 8> comparisons{{{"equal", Comparison::equal},
-                                                                              {"above", Comparison::above},
-                                                                              {"below", Comparison::below},
-                                                                              {"at-most", Comparison::at_most},
-                                                                              {"increasing", Comparison::increasing},
-                                                                              {"decreasing", Comparison::decreasing},
-                                                                              {"linear", Comparison::linear},
-                                                                              {"none", Comparison::none}}};
+constexpr std::array<std::pair<std::string_view, Comparison>, 13> comparisons{{{"equal", Comparison::equal},
+                                                                               {"above", Comparison::above},
+                                                                               {"below", Comparison::below},
+                                                                               {"at-most", Comparison::at_most},
+                                                                               {"increasing", Comparison::increasing},
+                                                                               {"decreasing", Comparison::decreasing},
+                                                                               {"linear", Comparison::linear},
+                                                                               {"exceeds", Comparison::exceeds},
+                                                                               {"same", Comparison::same},
+                                                                               {"steeper", Comparison::steeper},
+                                                                               {"cross", Comparison::cross},
+                                                                               {"not-cross", Comparison::not_cross},
+                                                                               {"none", Comparison::none}}};
+
+std::string known_comparisons() {
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : comparisons) names.push_back(name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
 
 std::optional<Comparison> parse_comparison(std::string_view text) {
     for (const auto& [name, value] : comparisons)
@@ -70,9 +83,7 @@ private:
     void read_choices() {
         const auto comparison = parse_comparison(cell("compare"));
         if (!comparison)
-            fault(fmt::format(
-                "compare '{}' is not known. Use equal, above, below, at-most, increasing, decreasing, linear or none.",
-                cell("compare")));
+            fault(fmt::format("compare '{}' is not known. Use one of {}.", cell("compare"), known_comparisons()));
         claim_.comparison = comparison.value_or(Comparison::none);
         const auto expected = parse_verdict(cell("expected"));
         if (!expected)
@@ -86,15 +97,55 @@ private:
     void read_selection() {
         auto& s = claim_.selection;
         s.wheel = cell("wheel");
-        if (!cell("gravity").empty()) s.gravity = split(cell("gravity"), '/');
-        if (!cell("load_N").empty())
-            for (const auto& part : split(cell("load_N"), '/')) s.load_N.push_back(number(part, "load_N"));
+        if (!s.wheel.empty() && !cell("gravity").empty() && !cell("load_N").empty()) read_sides();
         const std::string& slip = cell("slip_percent");
         if (slip.empty()) return;
         const auto dots = slip.find("..");
         s.slip_from_percent = number(slip.substr(0, dots), "slip_percent");
         s.slip_to_percent =
             dots == std::string::npos ? s.slip_from_percent : number(slip.substr(dots + 2), "slip_percent");
+    }
+
+    /// A cell's part of one side; a cell without '/' serves both.
+    [[nodiscard]] std::vector<std::string> list_of(const char* column, std::size_t side) const {
+        const auto parts = split(cell(column), '/');
+        return split(parts[std::min(side, parts.size() - 1)], '+');
+    }
+
+    void read_sides() {
+        std::size_t sides = 1;
+        for (const char* column : {"wheel", "gravity", "load_N"})
+            sides = std::max(sides, split(cell(column), '/').size());
+        for (std::size_t side = 0; side < sides; ++side) {
+            std::vector<Curve> curves;
+            for (const auto& wheel : list_of("wheel", side))
+                for (const auto& gravity : list_of("gravity", side))
+                    for (const auto& load : list_of("load_N", side))
+                        curves.push_back({wheel, gravity, number(load, "load_N")});
+            claim_.selection.sides.push_back(std::move(curves));
+        }
+    }
+
+    /// Two sides of equally many curves, one side, or one curve, as the comparison needs.
+    void check_sides() {
+        const auto& sides = claim_.selection.sides;
+        const auto c = claim_.comparison;
+        const bool is_ratio = claim_.metric.starts_with("ratio:");
+        const bool needs_two =
+            is_ratio || c == Comparison::exceeds || c == Comparison::same || c == Comparison::steeper;
+        if (sides.size() > 2) {
+            fault("there are more than two sides. Write one '/' in a cell at most.");
+        } else if (needs_two && (sides.size() != 2 || sides[0].size() != sides[1].size())) {
+            fault(fmt::format(
+                "{} needs two sides of equally many curves. Write them as B3/B6 or mars/earth and 64.4/170.",
+                is_ratio ? "a " + claim_.metric : cell("compare")));
+        } else if (!needs_two && sides.size() == 2) {
+            fault(fmt::format("{} looks at one side. Leave '/' out.", cell("compare")));
+        } else if (!is_about_curves(c) && !sides.empty() && sides[0].size() != 1) {
+            fault(fmt::format("{} needs one wheel, planet and load. Leave '+' out.", cell("compare")));
+        } else if ((c == Comparison::cross || c == Comparison::not_cross) && sides.size() == 1 && sides[0].size() < 2) {
+            fault("one curve cannot cross itself. List several loads or wheels with '+'.");
+        }
     }
 
     double number(const std::string& text, const char* what) {
@@ -114,16 +165,20 @@ private:
                               cell("tolerance")));
         const bool needs_runs = claim_.metric != "gravity_ratio" && claim_.metric != "stiffness_N_mm" &&
                                 !claim_.metric.starts_with("measured:");
-        const auto& s = claim_.selection;
-        if (needs_runs && (s.wheel.empty() || s.gravity.empty() || s.load_N.empty() || cell("slip_percent").empty()))
+        if (needs_runs && (claim_.selection.sides.empty() || cell("slip_percent").empty()))
             fault("the runs are not selected. Fill in wheel, gravity, load_N and slip_percent.");
-        if (claim_.metric.starts_with("ratio:") &&
-            (claim_.selection.gravity.size() != 2 || claim_.selection.load_N.size() != 2))
-            fault(fmt::format("a {} needs two gravities and two loads. Write them as mars/earth and 64.4/170.",
-                              claim_.metric));
+        else if (needs_runs)
+            check_sides();
+        if (is_about_curves(claim_.comparison) && find_metric(without_prefix(claim_.metric)) == nullptr)
+            fault(fmt::format("{} has no curve over slip. Use a column of runs.csv.", claim_.metric));
         read_window();
         read_units();
         if (cell("tolerance") != "U") claim_.tolerance = number(cell("tolerance"), "tolerance");
+        const auto c = claim_.comparison;
+        const bool needs_tolerance =
+            c == Comparison::linear || c == Comparison::same || c == Comparison::cross || c == Comparison::not_cross;
+        if (needs_tolerance && !claim_.tolerance)
+            fault(fmt::format("{} needs a number as tolerance. Write one with its origin.", cell("compare")));
         read_reference();
     }
 
@@ -176,6 +231,22 @@ private:
 };
 
 }  // namespace
+
+bool is_about_curves(Comparison comparison) {
+    switch (comparison) {
+        case Comparison::increasing:
+        case Comparison::decreasing:
+        case Comparison::linear:
+        case Comparison::exceeds:
+        case Comparison::same:
+        case Comparison::steeper:
+        case Comparison::cross:
+        case Comparison::not_cross:
+            return true;
+        default:
+            return false;
+    }
+}
 
 std::vector<Claim> read_claims(const std::string& path, const Ledger& ledger) {
     const CsvTable table = read_csv(path);

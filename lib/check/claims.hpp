@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "check/campaign.hpp"
 #include "check/ledger.hpp"
 #include "check/verdict.hpp"
 
@@ -14,17 +15,22 @@ enum class Comparison {
     above,       ///< greater than the reference by more than U
     below,       ///< less than the reference by more than U
     at_most,     ///< not greater; for bounds that carry no scatter
-    increasing,  ///< over slip
-    decreasing,  ///< over slip
-    linear,      ///< over slip: no curvature worth the name
+    increasing,  ///< over slip, every curve
+    decreasing,  ///< over slip, every curve
+    linear,      ///< over slip: no curvature worth the name, every curve
+    exceeds,     ///< the first side's curves lie above the second's over the slips
+    same,        ///< both sides agree at each slip within the tolerance
+    steeper,     ///< the first side changes more over slip than the second
+    cross,       ///< the curves of one side cross each other within the tolerance of one slip
+    not_cross,   ///< they do not
     none,        ///< not computable; the note says why
 };
 
-/// Selects runs. A second value after '/' is the denominator of a ratio.
+/// Selects runs. '+' lists several wheels, planets or loads, each combination a curve; after '/' stands the second
+/// side: the denominator of a ratio, or what the first is compared with, curve by curve.
 struct Selection {
-    std::string wheel;
-    std::vector<std::string> gravity;
-    std::vector<double> load_N;
+    std::string wheel;                      ///< as written
+    std::vector<std::vector<Curve>> sides;  ///< empty, one, or two
     double slip_from_percent = 0;
     double slip_to_percent = 0;
 };
@@ -46,8 +52,15 @@ struct Claim {
     std::string evidence;  ///< a file, from the project's root
     std::string note;
 
+    /// The planet of a claim about one curve, "" if no runs are selected.
+    [[nodiscard]] std::string first_gravity() const {
+        return selection.sides.empty() ? std::string() : selection.sides[0][0].gravity;
+    }
     [[nodiscard]] std::string base_id() const { return id.substr(0, id.find('-')); }
 };
+
+/// Does the comparison look at curves over slip, not at one number?
+[[nodiscard]] bool is_about_curves(Comparison comparison);
 
 /// Reads and judges every line; throws Error(bad_input) with all faults, each "file:line: what is wrong. What to do?".
 [[nodiscard]] std::vector<Claim> read_claims(const std::string& path, const Ledger& ledger);

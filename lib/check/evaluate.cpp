@@ -9,9 +9,10 @@
 #include <set>
 #include <variant>
 
+#include "check/claim_runs.hpp"
 #include "check/csv.hpp"
+#include "check/judge_curves.hpp"
 #include "check/statistics.hpp"
-#include "check/trend.hpp"
 #include "core/error.hpp"
 
 namespace ifedem {
@@ -20,11 +21,6 @@ namespace {
 // Match needs U ≤ max(10 % of the value, 0.05 W): a larger one could not tell the text's statement from its neighbours.
 constexpr double uncertainty_share = 0.10;
 constexpr double uncertainty_share_of_load = 0.05;
-
-/// Something that cannot be computed, with the reason.
-struct Missing {
-    std::string reason;
-};
 
 /// A number as a claim needs it.
 struct Quantity {
@@ -47,43 +43,12 @@ struct Judge {
     }
 };
 
-std::string without_prefix(std::string metric) {
-    const auto colon = metric.find(':');
-    return colon == std::string::npos ? metric : metric.substr(colon + 1);
-}
-
-std::optional<Window> claim_window(const Claim& claim) {
-    if (claim.window.empty() || claim.window == "text") return std::nullopt;
-    const auto ends = split(claim.window, '-');
-    return Window{*parse_number(ends.at(0)) / 100, *parse_number(ends.at(1)) / 100};
-}
-
-std::string wanted_runs(const Claim& claim, std::size_t side) {
-    const auto& s = claim.selection;
-    const auto slip = s.slip_from_percent < s.slip_to_percent
-                          ? fmt::format("{:g}–{:g}", s.slip_from_percent, s.slip_to_percent)
-                          : fmt::format("{:g}", s.slip_from_percent);
-    return fmt::format("{}, {}, {:g} N, slip {} %", s.wheel, capitalised(s.gravity.at(side)), s.load_N.at(side), slip);
-}
-
-ValuesBySlip collect_side(const Campaign& campaign, const Claim& claim, std::size_t side) {
-    const auto* info = find_metric(without_prefix(claim.metric));
-    const auto& s = claim.selection;
-    auto values = collect(campaign, s.wheel, s.gravity.at(side), s.load_N.at(side), info->member, claim_window(claim));
-    if (claim.metric.starts_with("abs:"))
-        for (auto& [slip, group] : values)
-            for (double& v : group) v = std::abs(v);
-    return values;
-}
-
 /// Why there is no run: none was made, or it did not get far enough.
 Missing missing_run(const Judge& j, std::size_t side) {
     const auto& s = j.claim.selection;
     for (const auto& run : j.campaign.runs) {
-        const auto& c = run.condition;
-        const bool fits = c.wheel == s.wheel && c.gravity == s.gravity.at(side) &&
-                          std::abs(c.load_N - s.load_N.at(side)) < 1e-9 &&
-                          std::abs(c.slip_percent - s.slip_from_percent) < 1e-9;
+        const bool fits = is_on(s.sides.at(side)[0], run.condition) &&
+                          std::abs(run.condition.slip_percent - s.slip_from_percent) < 1e-9;
         if (fits && !run.shortfall.empty()) return {run.shortfall};
     }
     return {fmt::format("no run of {}", wanted_runs(j.claim, side))};
@@ -92,17 +57,20 @@ Missing missing_run(const Judge& j, std::size_t side) {
 /// Mean, scatter and U of one side of a claim at its one slip.
 std::variant<Quantity, Missing> window_mean(const Judge& j, std::size_t side, const std::string& printed,
                                             const std::string& units) {
-    const auto values = collect_side(j.campaign, j.claim, side);
+    const Curve& curve = j.claim.selection.sides.at(side)[0];
+    const auto values = collect_curve(j.campaign, j.claim, curve);
     const auto group = values.find(j.claim.selection.slip_from_percent);
     if (group == values.end()) return missing_run(j, side);
     if (std::any_of(group->second.begin(), group->second.end(), [](double v) { return !std::isfinite(v); }))
         return Missing{fmt::format("the runs do not record {}", without_prefix(j.claim.metric))};
-    const double reading = reading_uncertainty(printed, units, j.claim.selection.gravity.at(side));
-    const Estimate e = estimate(group->second, reading, pool(values));
+    const double reading = reading_uncertainty(printed, units, curve.gravity);
+    const auto borrowed = borrow_scatter(j.campaign, curve, metric_of(j.claim), claim_window(j.claim));
+    const Estimate e = estimate(group->second, reading, borrowed.pooled);
     Quantity q{e.mean, e.scatter, e.uncertainty, e.n, {}};
     if (e.borrowed)
-        q.detail = std::isfinite(e.uncertainty) ? "n = 1, scatter borrowed from the slips with several realisations"
-                                                : "n = 1 and no scatter known";
+        q.detail = !std::isfinite(e.uncertainty) ? "n = 1 and no scatter known"
+                   : borrowed.from_other_curves  ? "n = 1, scatter borrowed from all realisations on the planet"
+                                                 : "n = 1, scatter borrowed from the slips with several realisations";
     return q;
 }
 
@@ -152,7 +120,7 @@ std::variant<Quantity, Missing> longest_time(const Judge& j, double seconds_per_
     Quantity q;
     for (const auto& run : j.campaign.runs) {
         const auto& c = run.condition;
-        if (c.wheel != s.wheel || c.gravity != s.gravity.at(0) || std::abs(c.load_N - s.load_N.at(0)) > 1e-9) continue;
+        if (!is_on(s.sides.at(0)[0], c)) continue;
         if (c.slip_percent < s.slip_from_percent || c.slip_percent > s.slip_to_percent) continue;
         if (!run.shortfall.empty()) continue;
         const auto seconds = parse_number(run.run.text("wall_s"));
@@ -174,9 +142,9 @@ std::variant<Quantity, Missing> measured(const Judge& j) {
     if (m->units != j.out.ledger.units)
         return Missing{
             fmt::format("{} was measured in {} but the ledger row is in {}", name, m->units, j.out.ledger.units)};
-    const std::string gravity = j.claim.selection.gravity.empty() ? "" : j.claim.selection.gravity[0];
     const bool is_exact = j.out.ledger.kind == "exact";
-    const double reading = is_exact ? 0 : reading_uncertainty(j.out.reference_text, j.out.units, gravity);
+    const double reading =
+        is_exact ? 0 : reading_uncertainty(j.out.reference_text, j.out.units, j.claim.first_gravity());
     Quantity q{m->value, m->scatter, 0, m->n, m->note};
     if (m->n > 1)
         q.uncertainty = prediction_uncertainty(m->scatter, static_cast<double>(m->n - 1), m->n, reading);
@@ -198,8 +166,9 @@ std::variant<Quantity, Missing> compute(const Judge& j) {
 
 double uncertainty_limit(const Judge& j, double reference) {
     const double share = uncertainty_share * std::abs(reference);
-    const bool is_force = j.out.units == "N" && !j.claim.selection.load_N.empty();
-    return is_force ? std::max(share, uncertainty_share_of_load * j.claim.selection.load_N[0]) : share;
+    const auto& sides = j.claim.selection.sides;
+    if (j.out.units != "N" || sides.empty()) return share;
+    return std::max(share, uncertainty_share_of_load * sides[0][0].load_N);
 }
 
 void add_detail(Outcome& out, const std::string& text) {
@@ -250,25 +219,14 @@ std::variant<Finding, Missing> judge_number(const Judge& j) {
     return judge_side(j, q, reference);
 }
 
-std::variant<Finding, Missing> judge_trend(const Judge& j) {
-    auto values = collect_side(j.campaign, j.claim, 0);
-    const auto& s = j.claim.selection;
-    std::erase_if(values, [&](const auto& item) {
-        return item.first < s.slip_from_percent - 1e-9 || item.first > s.slip_to_percent + 1e-9;
-    });
-    const TrendPoints points = trend_points(values);
-    constexpr std::size_t fewest = 4;
-    if (points.slip_percent.size() < fewest)
-        return Missing{
-            fmt::format("only {} of the slips of {} were run", points.slip_percent.size(), wanted_runs(j.claim, 0))};
-    const TrendResult result = j.claim.comparison == Comparison::linear
-                                   ? judge_linear(points, j.claim.tolerance.value_or(0.1))
-                                   : judge_monotonic(points, j.claim.comparison == Comparison::increasing ? 1.0 : -1.0);
+std::variant<Finding, Missing> judge_trends(const Judge& j) {
+    const auto judged = judge_curves(j.campaign, j.claim);
+    if (const auto* missing = std::get_if<Missing>(&judged)) return *missing;
+    const auto& [result, scatter, n] = std::get<CurveJudgement>(judged);
     j.out.computed = result.statistic;
     j.out.uncertainty = result.uncertainty;
-    j.out.scatter = points.scatter.deviation;
-    j.out.n = points.runs;
-    j.out.units = "-";
+    j.out.scatter = scatter;
+    j.out.n = n;
     j.out.tolerance_text = result.tolerance_text;
     j.out.error_over_tolerance = result.error_over_tolerance;
     add_detail(j.out, result.detail);
@@ -276,10 +234,11 @@ std::variant<Finding, Missing> judge_trend(const Judge& j) {
 }
 
 std::string describe_condition(const Claim& claim, const LedgerRow& row) {
-    const auto& s = claim.selection;
-    if (claim.comparison == Comparison::none || s.gravity.empty() || s.load_N.empty()) return row.condition;
-    if (s.gravity.size() == 2) return fmt::format("{} over {}", wanted_runs(claim, 0), wanted_runs(claim, 1));
-    return wanted_runs(claim, 0);
+    const auto& sides = claim.selection.sides;
+    if (claim.comparison == Comparison::none || sides.empty()) return row.condition;
+    if (sides.size() == 1) return wanted_runs(claim, 0);
+    return fmt::format("{} {} {}", wanted_runs(claim, 0), is_about_curves(claim.comparison) ? "against" : "over",
+                       wanted_runs(claim, 1));
 }
 
 std::string describe_reference(const Claim& claim, const Ledger& ledger) {
@@ -302,9 +261,9 @@ Outcome judge_claim(const Claim& claim, const Ledger& ledger, const Campaign& ca
         return out;
     }
     const Judge j{campaign, ledger, claim, out};
-    const bool is_trend = claim.comparison == Comparison::linear || claim.comparison == Comparison::increasing ||
-                          claim.comparison == Comparison::decreasing;
-    const auto finding = is_trend ? judge_trend(j) : judge_number(j);
+    const bool is_curves = is_about_curves(claim.comparison);
+    if (is_curves) out.units = units_of_statistic(claim.comparison, out.units);
+    const auto finding = is_curves ? judge_trends(j) : judge_number(j);
     if (const auto* missing = std::get_if<Missing>(&finding)) {
         out.detail = missing->reason;
         return out;

@@ -14,7 +14,6 @@
 namespace ifedem {
 namespace {
 
-constexpr const char* drawn_wheel = "B3";
 constexpr std::size_t series_bins = 400;
 
 std::string slip_line(const std::string& curve, const char* kind, double slip, double value, double uncertainty,
@@ -30,30 +29,73 @@ struct TextPoint {
     std::string printed;
 };
 
-std::string curve_lines(const Campaign& campaign, const CurveName& curve, double RunMetrics::*member) {
-    const auto values = collect(campaign, drawn_wheel, curve.gravity, curve.load_N, member);
+/// Where a curve's name stands, beside its last point.
+struct CurveLabel {
+    std::string curve;
+    double slip = 0, value = 0;
+    std::string text;
+};
+
+std::string curve_lines(const Campaign& campaign, const Curve& curve, const MetricInfo& metric) {
+    const auto values = collect(campaign, curve, metric);
     if (values.empty()) return {};
-    const PooledScatter scatter = pool(values);
+    const PooledScatter scatter = borrow_scatter(campaign, curve, metric).pooled;
+    const std::string word = to_word(curve);
     std::string text;
     for (const auto& [slip, group] : values) {
         const Estimate e = estimate(group, 0, scatter);
-        text +=
-            slip_line(curve.gravity, "mean", slip, e.mean, std::isfinite(e.uncertainty) ? e.uncertainty : 0, e.n, "");
+        text += slip_line(word, "mean", slip, e.mean, std::isfinite(e.uncertainty) ? e.uncertainty : 0, e.n, "");
         if (group.size() > 1)
-            for (const double v : group) text += slip_line(curve.gravity, "run", slip, v, 0, 1, "");
+            for (const double v : group) text += slip_line(word, "run", slip, v, 0, 1, "");
     }
-    const TrendPoints points = trend_points(values);
+    const TrendPoints points = trend_points(values, scatter);
     const auto& slips = points.slip_percent;
-    if (slips.size() >= 4) {
-        const auto fit = fit_polynomial(slips, points.mean, points.weight, 2);
-        constexpr int steps = 40;
-        for (int k = 0; k <= steps; ++k) {
-            const double slip = slips.front() + (slips.back() - slips.front()) * k / steps;
-            text += slip_line(curve.gravity, "fit", slip, fit.at(slip), 0, 0, "");
-        }
+    if (slips.size() < 4) return text;
+    const auto fit = fit_polynomial(slips, points.mean, points.weight, 2);
+    constexpr int steps = 40;
+    for (int k = 0; k <= steps; ++k) {
+        const double slip = slips.front() + (slips.back() - slips.front()) * k / steps;
+        text += slip_line(word, "fit", slip, fit.at(slip), 0, 0, "");
     }
-    text += slip_line(curve.gravity, "label", slips.back(), points.mean.back(), 0, 0,
-                      fmt::format("{}, {:g} N", capitalised(curve.gravity), curve.load_N));
+    return text;
+}
+
+/// What tells a curve from the others: its wheel, its planet with the load, or its load.
+std::string label_text(const Curve& curve, const std::vector<CurveName>& curves) {
+    bool same_wheel = true, same_planet = true;
+    for (const auto& other : curves) {
+        same_wheel = same_wheel && other.curve.wheel == curve.wheel;
+        same_planet = same_planet && other.curve.gravity == curve.gravity;
+    }
+    if (!same_wheel) return curve.wheel;
+    if (!same_planet || curves.size() == 1) return fmt::format("{}, {:g} N", capitalised(curve.gravity), curve.load_N);
+    return fmt::format("{:g} N", curve.load_N);
+}
+
+/// Labels at the curves' ends, moved up where they would stand on each other.
+std::string label_lines(const Campaign& campaign, const MetricInfo& metric, const std::vector<CurveName>& curves) {
+    std::vector<CurveLabel> labels;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const auto& name : curves) {
+        const auto values = collect(campaign, name.curve, metric);
+        if (values.empty()) continue;
+        for (const auto& [slip, group] : values) {
+            least = std::min(least, mean(group));
+            most = std::max(most, mean(group));
+        }
+        labels.push_back({to_word(name.curve), values.rbegin()->first, mean(values.rbegin()->second),
+                          label_text(name.curve, curves)});
+    }
+    std::stable_sort(labels.begin(), labels.end(),
+                     [](const CurveLabel& a, const CurveLabel& b) { return a.value < b.value; });
+    constexpr double line_height = 0.065;  // of the range that the points take
+    std::string text;
+    double lowest_free = -std::numeric_limits<double>::infinity();
+    for (const auto& l : labels) {
+        const double at = std::max(l.value, lowest_free);
+        lowest_free = at + line_height * (most - least);
+        text += slip_line(l.curve, "label", l.slip, at, 0, 0, l.text);
+    }
     return text;
 }
 
@@ -62,13 +104,13 @@ std::vector<TextPoint> text_points(const std::vector<Outcome>& outcomes, const s
     std::vector<TextPoint> points;
     for (const auto& o : outcomes) {
         const auto& s = o.claim.selection;
-        if (o.claim.metric != metric || o.claim.comparison != Comparison::equal || !o.reference ||
-            s.gravity.size() != 1)
+        if (o.claim.metric != metric || o.claim.comparison != Comparison::equal || !o.reference || s.sides.size() != 1)
             continue;
-        for (const auto& curve : curves)
-            if (s.gravity[0] == curve.gravity && std::abs(s.load_N.at(0) - curve.load_N) < 1e-9)
-                points.push_back({curve.gravity, s.slip_from_percent, *o.reference,
-                                  reading_uncertainty(o.reference_text, o.units, curve.gravity), o.reference_text});
+        for (const auto& name : curves)
+            if (s.sides[0][0] == name.curve)
+                points.push_back({to_word(name.curve), s.slip_from_percent, *o.reference,
+                                  reading_uncertainty(o.reference_text, o.units, name.curve.gravity),
+                                  o.reference_text});
     }
     return points;
 }
@@ -104,28 +146,34 @@ struct Bin {
 }  // namespace
 
 CurveName parse_curve(const std::string& text) {
-    const auto words = split(text, ' ');
-    CurveName curve;
-    curve.gravity = words[0];
+    auto words = split(text, ' ');
+    CurveName name;
+    name.curve.wheel = "B3";
+    if (words[0] == "B3" || words[0] == "B6" || words[0] == "rigid") {
+        name.curve.wheel = words[0];
+        words.erase(words.begin());
+    }
     const auto load = words.size() > 1 ? parse_number(words[1]) : std::nullopt;
     const auto slip = words.size() > 2 ? parse_number(words[2]) : std::optional<double>(0);
     if (!load || !slip)
-        fail_input(fmt::format("figures.csv: '{}' is not a curve. Write it as 'earth 170' or 'earth 170 60'.", text));
-    curve.load_N = *load;
-    curve.slip_percent = *slip;
-    return curve;
+        fail_input(fmt::format(
+            "figures.csv: '{}' is not a curve. Write it as 'earth 170', 'B6 earth 170' or 'earth 170 60'.", text));
+    name.curve.gravity = words[0];
+    name.curve.load_N = *load;
+    name.slip_percent = *slip;
+    return name;
 }
+
+std::string to_word(const Curve& curve) { return fmt::format("{}-{}-{:g}", curve.wheel, curve.gravity, curve.load_N); }
 
 std::optional<std::string> slip_data(const Campaign& campaign, const std::vector<Outcome>& outcomes,
                                      const std::string& metric, const std::vector<CurveName>& curves) {
     const auto* info = find_metric(metric);
     if (!info) fail_input(fmt::format("figures.csv: the metric '{}' is not known. Use a column of runs.csv.", metric));
     std::string lines;
-    for (const auto& curve : curves) {
-        const std::string computed = curve_lines(campaign, curve, info->member);
-        if (!computed.empty()) lines += computed;
-    }
+    for (const auto& name : curves) lines += curve_lines(campaign, name.curve, *info);
     if (lines.empty()) return std::nullopt;
+    lines += label_lines(campaign, *info, curves);
     lines += text_lines(outcomes, metric, curves);
     return "curve,kind,slip_percent,value,uncertainty,n,label\n" + lines;
 }
@@ -180,13 +228,11 @@ std::optional<std::string> stiffness_data(const Campaign& campaign) {
     return text;
 }
 
-const MeasuredRun* find_run(const Campaign& campaign, const CurveName& curve) {
-    for (const auto& run : campaign.runs) {
-        const auto& c = run.condition;
-        if (c.wheel == drawn_wheel && c.gravity == curve.gravity && std::abs(c.load_N - curve.load_N) < 1e-9 &&
-            std::abs(c.slip_percent - curve.slip_percent) < 1e-9 && std::isfinite(run.metrics.torque_Nm))
+const MeasuredRun* find_run(const Campaign& campaign, const CurveName& name) {
+    for (const auto& run : campaign.runs)
+        if (is_on(name.curve, run.condition) && std::abs(run.condition.slip_percent - name.slip_percent) < 1e-9 &&
+            std::isfinite(run.metrics.torque_Nm))
             return &run;
-    }
     return nullptr;
 }
 

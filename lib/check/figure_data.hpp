@@ -10,17 +10,19 @@ namespace ifedem {
 
 // The data of figures as CSV text, ready for a file and for gnuplot.
 
-/// gravity and load of one curve, "earth 170"; a third word is a slip.
+/// One curve of a figure, "B6 earth 170" ("earth 170" for B3); a further word is a slip.
 struct CurveName {
-    std::string gravity;
-    double load_N = 0;
+    Curve curve;
     double slip_percent = 0;
 };
 [[nodiscard]] CurveName parse_curve(const std::string& text);
 
+/// A word for data files and gnuplot: "B6-earth-170".
+[[nodiscard]] std::string to_word(const Curve& curve);
+
 /// curve,kind,slip_percent,value,uncertainty,n,label with kinds mean, run, fit (weighted parabola), text (the
-/// dissertation's own number), and label, above, below (where words stand).
-/// Nothing if no run fits.
+/// dissertation's own number), and label, above, below (where words stand). The label names what tells the curves
+/// apart. Nothing if no run fits.
 [[nodiscard]] std::optional<std::string> slip_data(const Campaign& campaign, const std::vector<Outcome>& outcomes,
                                                    const std::string& metric, const std::vector<CurveName>& curves);
 
@@ -32,7 +34,7 @@ struct CurveName {
 
 [[nodiscard]] std::optional<std::string> stiffness_data(const Campaign& campaign);
 
-/// The first run of B3 under this condition.
-[[nodiscard]] const MeasuredRun* find_run(const Campaign& campaign, const CurveName& curve);
+/// The first run under this condition.
+[[nodiscard]] const MeasuredRun* find_run(const Campaign& campaign, const CurveName& name);
 
 }  // namespace ifedem

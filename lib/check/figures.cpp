@@ -46,11 +46,12 @@ Figure start_figure(const FigureRow& row, const char* image_ending) {
 
 /// "fit", "run" and so on: the curves that have such lines, so that a script loops over what is
 /// there.
-void name_curves(const std::string& data, Variables& variables) {
+void name_curves(const std::string& data, const std::vector<CurveName>& curves, Variables& variables) {
     for (const char* kind : {"fit", "run", "mean", "text", "above", "below", "label"}) {
         std::string names;
-        for (const char* curve : {"earth", "mars"})
-            if (data.find(fmt::format("\n{},{},", curve, kind)) != std::string::npos) names += std::string(curve) + " ";
+        for (const auto& name : curves)
+            if (data.find(fmt::format("\n{},{},", to_word(name.curve), kind)) != std::string::npos)
+                names += to_word(name.curve) + " ";
         variables.emplace_back(kind, names);
     }
 }
@@ -84,7 +85,7 @@ std::optional<std::string> line_data(const FigureRow& row, const Campaign& campa
         std::vector<CurveName> curves;
         for (const auto& part : split(row.series, '|')) curves.push_back(parse_curve(part));
         auto data = slip_data(campaign, outcomes, row.metric, curves);
-        if (data) name_curves(*data, variables);
+        if (data) name_curves(*data, curves, variables);
         return data;
     }
     if (row.data == "stiffness") return stiffness_data(campaign);

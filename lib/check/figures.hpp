@@ -18,7 +18,8 @@ struct ReportPaths {
 
 /// Draws every line of figures.csv whose runs exist into out/figures, with its data as CSV beside it.
 /// A line: name, script, data, metric, series, title, ylabel, caption, style.
-///   data "slip": `metric` against slip for each "gravity load" of `series` (separated by |), with the text's numbers
+///   data "slip": `metric` against slip for each "wheel gravity load" of `series` (separated by |; without a wheel B3),
+///   with the text's numbers
 ///   data "series": torque, net traction and sinkage of the first run of "gravity load slip" against travel
 ///   data "snapshot": the picture named `script` that a run of "gravity load slip" left in its directory
 ///   data "file": the CSV (or .png) at the path `series` in the first directory of the report that holds it; `metric`

@@ -58,18 +58,22 @@ PolynomialFit fit_polynomial(std::span<const double> x, std::span<const double> 
     const double scale = fit.chi_squared / fit.degrees_of_freedom;
     for (std::size_t k = 0; k < terms; ++k) {
         fit.coefficients.push_back(gsl_vector_get(solution.get(), k));
-        fit.standard_errors.push_back(std::sqrt(std::max(0.0, gsl_matrix_get(covariance.get(), k, k) * scale)));
+        const double variance = std::max(0.0, gsl_matrix_get(covariance.get(), k, k));
+        fit.standard_errors.push_back(std::sqrt(variance * scale));
+        fit.run_errors.push_back(std::sqrt(variance));
     }
     return fit;
 }
 
-CurvatureTest test_curvature(std::span<const double> x, std::span<const double> y, std::span<const double> weights) {
+CurvatureTest test_curvature(std::span<const double> x, std::span<const double> y, std::span<const double> weights,
+                             double run_freedom) {
     CurvatureTest test;
     test.linear = fit_polynomial(x, y, weights, 1);
     test.quadratic = fit_polynomial(x, y, weights, 2);
-    const double freedom = test.quadratic.degrees_of_freedom;
+    const bool is_known = run_freedom >= 1;
+    const double freedom = is_known ? run_freedom : test.quadratic.degrees_of_freedom;
     const double gain = std::max(0.0, test.linear.chi_squared - test.quadratic.chi_squared);
-    const double rest = test.quadratic.chi_squared / freedom;
+    const double rest = is_known ? 1 : test.quadratic.chi_squared / freedom;
     test.f = rest > 0 ? gain / rest : gain > 0 ? std::numeric_limits<double>::infinity() : 0;
     test.probability = std::isinf(test.f) ? 0 : gsl_cdf_fdist_Q(test.f, 1, freedom);
 
@@ -79,7 +83,8 @@ CurvatureTest test_curvature(std::span<const double> x, std::span<const double> 
     // A parabola a + b x + c x² lies |c| L²/4 off its chord of length L, in the middle.
     const double per_curvature = span * span / 4 / rise;
     test.sagitta_share = std::abs(test.quadratic.coefficients[2]) * per_curvature;
-    test.sagitta_uncertainty = student_t_quantile(0.975, freedom) * test.quadratic.standard_errors[2] * per_curvature;
+    const auto& errors = is_known ? test.quadratic.run_errors : test.quadratic.standard_errors;
+    test.sagitta_uncertainty = student_t_quantile(0.975, freedom) * errors[2] * per_curvature;
     return test;
 }
 

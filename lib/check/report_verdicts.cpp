@@ -26,6 +26,10 @@ std::string computed_text(const Outcome& o) {
         return fmt::format("off its chord by {:.1f} ± {:.1f} %", 100 * *o.computed, 100 * o.uncertainty);
     if (o.claim.comparison == Comparison::increasing || o.claim.comparison == Comparison::decreasing)
         return fmt::format("τ = {:.2f}", *o.computed);
+    if (o.claim.comparison == Comparison::cross || o.claim.comparison == Comparison::not_cross)
+        return fmt::format("spread {:.0f} % of slip", *o.computed);
+    if (is_about_curves(o.claim.comparison))
+        return "difference " + with_uncertainty(*o.computed, o.uncertainty) + units_after(o);
     return with_uncertainty(*o.computed, o.uncertainty) + units_after(o);
 }
 
@@ -76,6 +80,11 @@ std::string sentence(const Outcome& o) {
         case Comparison::increasing:
         case Comparison::decreasing:
         case Comparison::linear:
+        case Comparison::exceeds:
+        case Comparison::same:
+        case Comparison::steeper:
+        case Comparison::cross:
+        case Comparison::not_cross:
             return fmt::format("{}: the text says “{}”; {}.", name_of(o), o.reference_text, o.detail);
         case Comparison::above:
         case Comparison::below:
@@ -124,9 +133,9 @@ Table planets_table(const std::vector<Outcome>& outcomes) {
     std::vector<std::string> order;
     for (const auto& o : outcomes) {
         const auto* info = find_metric(o.claim.metric);
-        if (!info || o.claim.comparison != Comparison::equal || o.claim.selection.gravity.size() != 1) continue;
+        if (!info || o.claim.comparison != Comparison::equal || o.claim.selection.sides.size() != 1) continue;
         if (std::find(order.begin(), order.end(), o.claim.metric) == order.end()) order.push_back(o.claim.metric);
-        by_metric[o.claim.metric].emplace(o.claim.selection.gravity[0], &o);
+        by_metric[o.claim.metric].emplace(o.claim.first_gravity(), &o);
     }
     t.header = {"", "Earth: text", "Earth: computed ± U", "", "Mars: text", "Mars: computed ± U", ""};
     for (const auto& metric : order) {

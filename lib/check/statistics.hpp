@@ -52,10 +52,11 @@ struct KendallResult {
 /// Non-decreasing fit with the least weighted squares, by pooling adjacent violators (Barlow et al. 1972).
 [[nodiscard]] std::vector<double> isotonic_fit(std::span<const double> y, std::span<const double> weights);
 
-/// y ≈ Σ c_k x^k with weights 1/σ²; standard errors are scaled by the scatter about the fit.
+/// y ≈ Σ c_k x^k with weights 1/σ².
 struct PolynomialFit {
     std::vector<double> coefficients;     ///< lowest power first
-    std::vector<double> standard_errors;  ///< of the coefficients
+    std::vector<double> standard_errors;  ///< of the coefficients, scaled by the scatter about the fit
+    std::vector<double> run_errors;       ///< the same from the weights alone, right if these are 1/σ²
     double chi_squared = 0;               ///< Σ w (y − fit)²
     double degrees_of_freedom = 0;        ///< points − coefficients
     [[nodiscard]] double at(double x) const;
@@ -64,7 +65,8 @@ struct PolynomialFit {
 [[nodiscard]] PolynomialFit fit_polynomial(std::span<const double> x, std::span<const double> y,
                                            std::span<const double> weights, std::size_t degree);
 
-/// Does the quadratic term pay? F = (χ²_linear − χ²_quadratic) / (χ²_quadratic / (n − 3)).
+/// Does the quadratic term pay? With run errors of ν degrees of freedom (weights 1/σ²): F(1, ν) = χ²_linear −
+/// χ²_quadratic. Without: F(1, n − 3) = (χ²_linear − χ²_quadratic) / (χ²_quadratic / (n − 3)).
 struct CurvatureTest {
     PolynomialFit linear;
     PolynomialFit quadratic;
@@ -73,9 +75,9 @@ struct CurvatureTest {
     double sagitta_share = 0;        ///< largest distance of the parabola from its chord, over the rise of the chord
     double sagitta_uncertainty = 0;  ///< 95 % half-width of the share
 };
-/// Needs at least four points.
+/// Needs at least four points. `run_freedom`: ν of the errors in the weights, 0 if these are relative only.
 [[nodiscard]] CurvatureTest test_curvature(std::span<const double> x, std::span<const double> y,
-                                           std::span<const double> weights);
+                                           std::span<const double> weights, double run_freedom = 0);
 
 /// Mean of b − a over realisations that share seed and lug phase, with its 95 % interval.
 struct PairedDifference {

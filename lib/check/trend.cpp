@@ -15,14 +15,15 @@ constexpr double significance = 0.05;
 
 }  // namespace
 
-TrendPoints trend_points(const ValuesBySlip& values) {
+TrendPoints trend_points(const ValuesBySlip& values, const PooledScatter& scatter) {
     TrendPoints points;
-    points.scatter = pool(values);
+    points.scatter = scatter;
     const double s = points.scatter.deviation;
     const double variance = s > 0 ? s * s : 1;
     for (const auto& [slip, group] : values) {
         const auto n = static_cast<double>(group.size());
         points.slip_percent.push_back(slip);
+        points.n.push_back(n);
         points.mean.push_back(mean(group));
         points.weight.push_back(n / variance);
         // The pooled scatter for all, so that a point with two lucky realisations does not pose as exact.
@@ -54,7 +55,8 @@ TrendResult judge_monotonic(const TrendPoints& points, double direction) {
 }
 
 TrendResult judge_linear(const TrendPoints& points, double share) {
-    const CurvatureTest test = test_curvature(points.slip_percent, points.mean, points.weight);
+    const double run_freedom = points.scatter.deviation > 0 ? points.scatter.degrees_of_freedom : 0;
+    const CurvatureTest test = test_curvature(points.slip_percent, points.mean, points.weight, run_freedom);
     TrendResult result;
     result.statistic = test.sagitta_share;
     result.uncertainty = test.sagitta_uncertainty;
@@ -69,6 +71,21 @@ TrendResult judge_linear(const TrendPoints& points, double share) {
     result.detail = fmt::format("parabola off its chord by {:.1f} ± {:.1f} % of the rise; F = {:.2f}, p = {:.2g}",
                                 100 * test.sagitta_share, 100 * test.sagitta_uncertainty, test.f, test.probability);
     return result;
+}
+
+TrendResult combine(const std::vector<TrendResult>& results, const std::vector<std::string>& names) {
+    TrendResult all = results.front();
+    std::vector<std::string> details;
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        const TrendResult& r = results[k];
+        const bool is_worse =
+            r.finding > all.finding ||
+            (r.finding == all.finding && r.error_over_tolerance.value_or(0) > all.error_over_tolerance.value_or(0));
+        if (is_worse) all = r;
+        details.push_back(results.size() == 1 ? r.detail : fmt::format("{}: {}", names[k], r.detail));
+    }
+    all.detail = fmt::format("{}", fmt::join(details, "; "));
+    return all;
 }
 
 }  // namespace ifedem

@@ -15,14 +15,16 @@ struct TrendPoints {
     std::vector<double> mean;
     std::vector<double> weight;       ///< 1/σ² of each mean; 1/n-scaled if no scatter is known
     std::vector<double> uncertainty;  ///< U of each point (no reading uncertainty: the text gives no number)
+    std::vector<double> n;            ///< realisations of each point
     PooledScatter scatter;
     std::size_t runs = 0;
 };
-[[nodiscard]] TrendPoints trend_points(const ValuesBySlip& values);
+[[nodiscard]] TrendPoints trend_points(const ValuesBySlip& values, const PooledScatter& scatter);
 
+/// What a judgement of curves found.
 struct TrendResult {
     Finding finding = Finding::too_uncertain;
-    double statistic = 0;  ///< Kendall's τ in the claimed direction, or the curvature's share of the rise
+    std::optional<double> statistic;  ///< Kendall's τ in the claimed direction, the curvature's share of the rise, …
     double uncertainty = 0;
     std::string tolerance_text;
     std::optional<double> error_over_tolerance;
@@ -35,7 +37,11 @@ struct TrendResult {
 [[nodiscard]] TrendResult judge_monotonic(const TrendPoints& points, double direction);
 
 /// Linear: the best parabola lies off its chord by at most `share` of the rise. Outside needs both a larger share and a
-/// significant quadratic term (F-test, 5 %); too uncertain if the 95 % half-width of the share exceeds the tolerance.
+/// significant quadratic term (F-test with run errors, 5 %); too uncertain if the 95 % half-width of the share exceeds
+/// the tolerance.
 [[nodiscard]] TrendResult judge_linear(const TrendPoints& points, double share);
+
+/// The one that decides for all: the worst finding, and the largest error among those. `names` go before the details.
+[[nodiscard]] TrendResult combine(const std::vector<TrendResult>& results, const std::vector<std::string>& names);
 
 }  // namespace ifedem

@@ -316,20 +316,30 @@ TEST_F(Project, BadClaimsAreAllNamedWithTheirLines) {
     const std::string rows =
         "D999,gross_tractive_effort_N,text,B3,earth,170,60,equal,,U,s,match,,\n"
         "D107,thrust,text,B3,earth,170,60,equal,,U,s,match,,\n"
-        "D107-b,gross_tractive_effort_N,text,B3,earth,170,60,same,,U,s,fine,,\n"
+        "D107-b,gross_tractive_effort_N,text,B3,earth,170,60,alike,,U,s,fine,,\n"
         "D107-c,gross_tractive_effort_N,80-40,B3,earth,heavy,60,equal,,many,,match,,\n"
         "D107-d,sinkage_cm,text,B3,earth,170,60,equal,,U,s,match,,\n"
         "D107-d,,,,,,,none,,,,not-computable,,\n"
         "D109,ratio:gross_tractive_effort_N,text,B3,earth,170,60,equal,,U,s,match,,\n"
-        "D107-e,gross_tractive_effort_N,text,B3,,170,60,equal,,U,s,match,,\n";
+        "D107-e,gross_tractive_effort_N,text,B3,,170,60,equal,,U,s,match,,\n"
+        "D107-f,gross_tractive_effort_N,text,B3+B6,earth,170,60,equal,,U,s,match,,\n"
+        "D095,sinkage_cm,text,B3,earth,170/50,0..70,increasing,,U,s,match,,\n"
+        "D095-b,sinkage_cm,text,B3/B6,earth,170+50/50,0..70,exceeds,,U,s,match,,\n"
+        "D095-c,sinkage_cm,text,B3/B6,earth,170,0..70,same,,U,s,match,,\n"
+        "D095-d,sinkage_cm,text,B3,earth,170,0..70,cross,,10,s,match,,\n"
+        "D095-e,elapsed_max_s,text,B3,earth,170,0..70,increasing,,U,s,match,,\n";
     const auto text = message_of([&] { static_cast<void>(check(rows, {})); });
     for (const char* part :
-         {"claims.csv:2: the id 'D999'", "claims.csv:3: metric 'thrust'", "claims.csv:4: compare 'same'",
+         {"claims.csv:2: the id 'D999'", "claims.csv:3: metric 'thrust'", "claims.csv:4: compare 'alike'",
           "claims.csv:4: expected verdict 'fine'", "claims.csv:5: window '80-40'", "claims.csv:5: load_N 'heavy'",
           "claims.csv:5: tolerance 'many'", "claims.csv:5: the tolerance 'many' has no origin",
           "claims.csv:6: sinkage_cm is in cm but the ledger row in N", "claims.csv:7: the id D107-d stands twice",
           "claims.csv:7: a row that is not computed needs its reason",
-          "claims.csv:8: a ratio:gross_tractive_effort_N needs", "claims.csv:9: the runs are not selected"})
+          "claims.csv:8: a ratio:gross_tractive_effort_N needs", "claims.csv:9: the runs are not selected",
+          "claims.csv:10: equal needs one wheel", "claims.csv:11: increasing looks at one side",
+          "claims.csv:12: exceeds needs two sides of equally many curves",
+          "claims.csv:13: same needs a number as tolerance", "claims.csv:14: one curve cannot cross itself",
+          "claims.csv:15: elapsed_max_s has no curve over slip"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
 }
 
@@ -372,11 +382,11 @@ TEST_F(Project, TrendsNeedRunsAtSeveralSlips) {
 
 TEST(Trend, StepsBackWithinUAreForgiven) {
     const ValuesBySlip rising{{0, {1.0, 1.04}}, {10, {2.0}}, {20, {1.9}}, {30, {3.0}}, {40, {4.0}}};
-    EXPECT_EQ(judge_monotonic(trend_points(rising), 1).finding, Finding::within);
-    EXPECT_EQ(judge_monotonic(trend_points(rising), -1).finding, Finding::outside);
+    EXPECT_EQ(judge_monotonic(trend_points(rising, pool(rising)), 1).finding, Finding::within);
+    EXPECT_EQ(judge_monotonic(trend_points(rising, pool(rising)), -1).finding, Finding::outside);
     // All within the scatter of ±30: nothing can be told.
     const ValuesBySlip noisy{{0, {-30, 30}}, {10, {2.0}}, {20, {1.0}}, {30, {3.0}}, {40, {0.5}}};
-    EXPECT_EQ(judge_monotonic(trend_points(noisy), 1).finding, Finding::too_uncertain);
+    EXPECT_EQ(judge_monotonic(trend_points(noisy, pool(noisy)), 1).finding, Finding::too_uncertain);
 }
 
 TEST(Trend, LinearCurvedAndUndecided) {
@@ -387,11 +397,11 @@ TEST(Trend, LinearCurvedAndUndecided) {
         curve[10.0 * k] = {10 + 2.0 * k * k + 0.5 * wobble};
         noise[10.0 * k] = {10 + 1.0 * k + 8 * wobble};
     }
-    EXPECT_EQ(judge_linear(trend_points(line), 0.1).finding, Finding::within);
-    EXPECT_EQ(judge_linear(trend_points(curve), 0.1).finding,
+    EXPECT_EQ(judge_linear(trend_points(line, {}), 0.1).finding, Finding::within);
+    EXPECT_EQ(judge_linear(trend_points(curve, {}), 0.1).finding,
               Finding::outside);  // off its chord by a quarter of the rise
-    EXPECT_NEAR(judge_linear(trend_points(curve), 0.1).statistic, 0.25, 0.01);
-    EXPECT_EQ(judge_linear(trend_points(noise), 0.1).finding, Finding::too_uncertain);
+    EXPECT_NEAR(*judge_linear(trend_points(curve, {}), 0.1).statistic, 0.25, 0.01);
+    EXPECT_EQ(judge_linear(trend_points(noise, {}), 0.1).finding, Finding::too_uncertain);
 }
 
 TEST(Verdicts, EdgesAndOrder) {
