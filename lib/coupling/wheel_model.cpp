@@ -9,8 +9,8 @@ WheelModel make_wheel_model(const WheelCase& wheel) {
     WheelModel m;
     m.mesh = make_wheel_mesh(wheel);
     m.surface = make_loop(m.mesh.boundary);
-    m.elements = make_elements(m.mesh.mesh, wheel_materials(wheel), wheel.width_m, wheel.plane);
-    m.body = wheel.body;
+    m.elements = make_elements(m.mesh.mesh, wheel_materials(wheel), wheel_widths_m(wheel), wheel.plane);
+    m.body = wheel.shape == WheelShape::plate ? WheelBody::rigid : wheel.body;
     m.damping_frame = wheel.damping_frame;
     m.load_N = wheel.load_N;
     const auto& node = m.mesh.mesh.node_m;
@@ -18,10 +18,10 @@ WheelModel make_wheel_model(const WheelCase& wheel) {
     for (const std::uint32_t n : m.mesh.rigid) rigid[n] = 1;
     for (std::uint32_t n = 0; n < node.size(); ++n)
         if (rigid[n] == 0) m.free_node.push_back(n);
-    if (wheel.body != WheelBody::elastic) {
-        // The unmeshed rim is a full disc of WR's density (section 3.2.2 meshes it to the hub).
-        const double r = wheel.rim_radius_m;
-        m.body_mass_kg = pi * r * r * wheel.width_m * wheel.rim.density_kg_m3;
+    if (m.body != WheelBody::elastic) {
+        // The unmeshed rim is a full disc of WR's density (section 3.2.2 meshes it to the hub); a plate has none.
+        const double r = wheel.shape == WheelShape::plate ? 0.0 : wheel.rim_radius_m;
+        m.body_mass_kg = pi * r * r * wheel_widths_m(wheel)[0] * wheel.rim.density_kg_m3;
         m.body_inertia_kg_m2 = 0.5 * m.body_mass_kg * r * r;
         for (const std::uint32_t n : m.mesh.rigid) {
             m.body_mass_kg += m.elements.mass_kg[n];

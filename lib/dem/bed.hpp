@@ -9,6 +9,10 @@ namespace ifedem {
 /// yet settled.
 [[nodiscard]] DiscState generate_bed(const Case& c);
 
+/// Levels the surface (section 4.2.4): of all discs the `count` with the lowest tops stay, ties by id. Ids are numbered
+/// anew without gaps; contacts between what stays keep their springs.
+void level_surface(State& state, std::size_t count);
+
 /// Porosity of the bed between the floor and `top_m`, over the bin's middle (`margin_m` from each side wall): 1 − area
 /// of the discs cut by that rectangle / its area.
 [[nodiscard]] double measure_porosity(const DiscState& discs, double length_m, double margin_m, double bottom_m,

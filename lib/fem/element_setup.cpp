@@ -102,17 +102,22 @@ Element make_element(const Mesh& mesh, std::size_t index, const Elasticity& elas
 
 ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material, double thickness_m,
                          PlaneState plane) {
-    if (!(thickness_m > 0)) {
-        fail_input(fmt::format("the thickness of the elements is {} m. Give wheel.width_m above 0.", thickness_m));
-    }
+    return make_elements(mesh, material, {thickness_m, thickness_m, thickness_m, thickness_m}, plane);
+}
+
+ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material,
+                         const std::array<double, 4>& thickness_m, PlaneState plane) {
+    for (const double t : thickness_m)
+        if (!(t > 0)) fail_input(fmt::format("the thickness of the elements is {} m. Give wheel.width_m above 0.", t));
     ElementSet set;
     set.mass_kg.assign(mesh.node_m.size(), 0.0);
     set.damping_kg_s.assign(mesh.node_m.size(), 0.0);
     for (std::size_t k = 0; k < mesh.quad.size(); ++k) {
         const Material& m = material[static_cast<std::size_t>(mesh.part[k])];
         check_material(m, mesh.part[k], plane);
-        set.element.push_back(make_element(mesh, k, find_elasticity(m, plane), thickness_m));
-        const double mass = m.density_kg_m3 * thickness_m * area_m2(set.element.back().reference_m);
+        const double thickness = thickness_m[static_cast<std::size_t>(mesh.part[k])];
+        set.element.push_back(make_element(mesh, k, find_elasticity(m, plane), thickness));
+        const double mass = m.density_kg_m3 * thickness * area_m2(set.element.back().reference_m);
         set.element_mass_kg.push_back(mass);
         for (const std::uint32_t node : mesh.quad[k]) {
             set.mass_kg[node] += 0.25 * mass;

@@ -59,4 +59,9 @@ std::array<Material, 4> wheel_materials(const WheelCase& wheel) {
     return {convert(wheel.rim), convert(wheel.intermediate), convert(wheel.surface), convert(wheel.lug)};
 }
 
+std::array<double, 4> wheel_widths_m(const WheelCase& wheel) {
+    const double rim_m = wheel.rim_width_m > 0 ? wheel.rim_width_m : wheel.width_m;
+    return {rim_m, wheel.width_m, wheel.width_m, wheel.width_m};
+}
+
 }  // namespace ifedem

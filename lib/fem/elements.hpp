@@ -34,9 +34,14 @@ struct ElementSet {
 
 /// WR, WI, WS and WL of a wheel, in the order of Part.
 [[nodiscard]] std::array<Material, 4> wheel_materials(const WheelCase& wheel);
+/// Their widths: Table 4-1 has a rim of 10 mm in a tyre of 170 mm.
+[[nodiscard]] std::array<double, 4> wheel_widths_m(const WheelCase& wheel);
 
-/// `material` is indexed by Part; those of parts without elements are not looked at.  Throws Error(bad_input) for an
-/// element with a non-positive Jacobian.
+/// `material` and `thickness_m` are indexed by Part; those of parts without elements are not looked at.  Throws
+/// Error(bad_input) for an element with a non-positive Jacobian.
+[[nodiscard]] ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material,
+                                       const std::array<double, 4>& thickness_m, PlaneState plane);
+/// The same with one thickness for all parts.
 [[nodiscard]] ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material, double thickness_m,
                                        PlaneState plane);
 

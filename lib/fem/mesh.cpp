@@ -65,8 +65,8 @@ Columns lay_out_columns(const WheelCase& w) {
     Columns columns;
     const double phase_rad = w.lug_phase_deg * (pi / 180.0);
     const std::int64_t columns_a_pair = 2 + w.gap_columns + w.pitch_columns;
-    if (w.lug_pairs == 0) {  // as many columns as the published wheel's twelve pairs would have, all alike
-        add_columns(columns, phase_rad, 2 * pi, 12 * columns_a_pair, 0);
+    if (w.lug_pairs == 0) {  // all alike
+        add_columns(columns, phase_rad, 2 * pi, w.smooth_columns > 0 ? w.smooth_columns : 12 * columns_a_pair, 0);
         return columns;
     }
     const double lug_rad = w.lug_thickness_m / w.tread_radius_m;
@@ -151,9 +151,33 @@ std::vector<std::uint32_t> add_lugs(Mesh& mesh, const Columns& columns, std::uin
     return loop;
 }
 
+/// A rigid rectangle of elements as long as high.
+WheelMesh make_plate_mesh(double length_m) {
+    constexpr std::uint32_t columns = 8, rows = 4;
+    WheelMesh plate;
+    for (std::uint32_t j = 0; j <= rows; ++j)
+        for (std::uint32_t i = 0; i <= columns; ++i)
+            plate.mesh.node_m.push_back({length_m * (static_cast<double>(i) / columns - 0.5),
+                                         0.5 * length_m * (static_cast<double>(j) / rows - 0.5)});
+    const auto at = [](std::uint32_t i, std::uint32_t j) { return j * (columns + 1) + i; };
+    for (std::uint32_t j = 0; j < rows; ++j)
+        for (std::uint32_t i = 0; i < columns; ++i) {
+            plate.mesh.quad.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+            plate.mesh.part.push_back(Part::intermediate);
+        }
+    for (std::uint32_t i = 0; i < columns; ++i) plate.boundary.push_back(at(i, 0));
+    for (std::uint32_t j = 0; j < rows; ++j) plate.boundary.push_back(at(columns, j));
+    for (std::uint32_t i = columns; i > 0; --i) plate.boundary.push_back(at(i, rows));
+    for (std::uint32_t j = rows; j > 0; --j) plate.boundary.push_back(at(0, j));
+    for (std::uint32_t k = 0; k < plate.mesh.node_m.size(); ++k) plate.rigid.push_back(k);
+    plate.rim_surface = plate.boundary;
+    return plate;
+}
+
 }  // namespace
 
 WheelMesh make_wheel_mesh(const WheelCase& wheel) {
+    if (wheel.shape == WheelShape::plate) return make_plate_mesh(wheel.plate_length_m);
     check_wheel(wheel);
     const Columns columns = lay_out_columns(wheel);
     const Rings rings = lay_out_rings(wheel);

@@ -31,10 +31,10 @@ struct WheelMesh {
 
 /// Mesh of rings and columns with U-lugs (pairs of blocks with parallel sides, corners on the outermost circle).
 /// Counter-clockwise from wheel.lug_phase_deg a pair is: lug, gap, lug, rest of the pitch; lug and gap are arcs at the
-/// tread radius. With lug_pairs = 0 the tread is smooth, with as many columns as twelve pairs would have. Rigid and
-/// rigid-rim wheels carry no elements inside the rim; an elastic rim is rings around a block of quads with the hub in
-/// its centre. Nodes and elements from the rim surface outwards are numbered alike whatever the body. Throws
-/// Error(bad_input) where the sizes contradict each other.
+/// tread radius. With lug_pairs = 0 the tread is smooth, with smooth_columns columns (0: as many as twelve pairs would
+/// have). Rigid and rigid-rim wheels carry no elements inside the rim; an elastic rim is rings around a block of quads
+/// with the hub in its centre. Nodes and elements from the rim surface outwards are numbered alike whatever the body. A
+/// plate is a rigid rectangle about the hub. Throws Error(bad_input) where the sizes contradict each other.
 [[nodiscard]] WheelMesh make_wheel_mesh(const WheelCase& wheel);
 
 }  // namespace ifedem

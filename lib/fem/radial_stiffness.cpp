@@ -23,7 +23,7 @@ struct Press {
 void hold(Supports& supports, std::uint32_t node) { supports.held[2 * node] = supports.held[2 * node + 1] = 1; }
 
 Press set_up(WheelCase wheel, double phase_deg, PlaneFriction friction) {
-    if (wheel.body == WheelBody::rigid) {
+    if (wheel.body == WheelBody::rigid || wheel.shape == WheelShape::plate) {
         fail_input(
             "a rigid wheel has no radial stiffness (nothing in it deforms). Set wheel.body to rigid_rim or elastic.");
     }
@@ -31,7 +31,7 @@ Press set_up(WheelCase wheel, double phase_deg, PlaneFriction friction) {
     const WheelMesh wheel_mesh = make_wheel_mesh(wheel);
     const std::vector<Vec2>& node = wheel_mesh.mesh.node_m;
     Press press;
-    press.set = make_elements(wheel_mesh.mesh, wheel_materials(wheel), wheel.width_m, wheel.plane);
+    press.set = make_elements(wheel_mesh.mesh, wheel_materials(wheel), wheel_widths_m(wheel), wheel.plane);
     press.supports = {std::vector<std::uint8_t>(2 * node.size(), 0), std::vector<Vec2>(node.size())};
     for (const std::uint32_t k : wheel_mesh.rigid) hold(press.supports, k);
     if (wheel_mesh.hub != WheelMesh::no_node) {

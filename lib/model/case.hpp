@@ -15,9 +15,11 @@ enum class ContactEnd { no_attraction, attraction };  ///< force ends at F = 0, 
 enum class RollingScheme { limit, sign };             ///< a limit that can stop rotation, or the raw sign of Eq 2.18
 enum class RollingChord { full, half };               ///< b of Eq 2.18
 enum class WallKind { flat, discs };
+enum class WheelShape { round, plate };              ///< a plate is a rigid rectangle that does not turn: soil tests
 enum class WheelBody { rigid, rigid_rim, elastic };  ///< all rigid; elastic layers on a rigid rim; all elastic
 enum class DampingFrame { rigid_motion, absolute };  ///< what c of Eq 2.3 multiplies: v − v_rigid, or v
 enum class SlipRadius { tread, lug_tip };
+enum class SpeedOf { hub, tread };  ///< what travel.speed_m_s is: V, or r ω of the unloaded radius
 enum class ControlScheme { semi_implicit, explicit_ };
 enum class PlaneState { stress, strain };
 
@@ -49,6 +51,7 @@ struct BedCase {
     std::int64_t disc_count = 19468;
     std::int64_t seed = 1;
     WallKind walls = WallKind::flat;
+    std::int64_t levelled_count = 0;  ///< discs left when the surface is levelled after consolidation; 0 = all
 };
 
 /// One material of the wheel: WR, WI, WS or WL of Table 3-2.
@@ -60,9 +63,12 @@ struct MaterialCase {
 };
 
 struct WheelCase {
+    WheelShape shape = WheelShape::round;
+    double plate_length_m = 0.15;  ///< of a plate, along the travel; it is half as high
     WheelBody body = WheelBody::rigid_rim;
     double load_N = 170;
     double width_m = 0.1;
+    double rim_width_m = 0;  ///< of WR; 0 = width_m
     double rim_radius_m = 0.09;
     double tread_radius_m = 0.15;
     double surface_thickness_m = 0.0198;  ///< gives B3 the text's radial stiffness of 15.9 N/mm (section 3.2.2)
@@ -74,8 +80,9 @@ struct WheelCase {
     std::int64_t rim_rings = 2;
     std::int64_t intermediate_rings = 4;
     std::int64_t surface_rings = 2;
-    std::int64_t gap_columns = 1;    ///< columns of elements between the lugs of a pair
-    std::int64_t pitch_columns = 1;  ///< columns of elements between pairs
+    std::int64_t gap_columns = 1;     ///< columns of elements between the lugs of a pair
+    std::int64_t pitch_columns = 1;   ///< columns of elements between pairs
+    std::int64_t smooth_columns = 0;  ///< columns round a smooth tread; 0 = as many as twelve pairs would have
     PlaneState plane = PlaneState::stress;
     DampingFrame damping_frame = DampingFrame::rigid_motion;
     MaterialCase rim{200e6, 0.3, 3000, 1};
@@ -87,6 +94,7 @@ struct WheelCase {
 struct TravelCase {
     double slip_percent = 60;
     double speed_m_s = 0.1;
+    SpeedOf speed_of = SpeedOf::hub;
     double acceleration_time_s = 1;
     double distance_m = 0.8;
     double start_x_m = 0.3;
@@ -119,6 +127,7 @@ struct ElementsCase {
 struct StagesCase {
     double consolidation_s = 1;
     double sinkage_s = 2;
+    double load_ramp_s = 0;  ///< the load grows over this part of the sinkage; 0: at once
 };
 
 struct RecordCase {
@@ -126,6 +135,10 @@ struct RecordCase {
     double frame_interval_s = 0.25;
     double checkpoint_interval_s = 1;
     double energy_interval_s = 0.004;  ///< sampling of dissipation; 0 = no energy budget
+    std::int64_t stress_segments = 0;  ///< virtual segments of the lower half (section 4.2.2); 0 = no contact stress
+    std::int64_t stress_blocks = 10;   ///< parts of the window that are summed apart, for intervals of confidence
+    double stress_from_x_m = 0.9;      ///< averaging window: places of the hub
+    double stress_to_x_m = 1.2;
 };
 
 struct HealthCase {
@@ -151,6 +164,12 @@ struct Case {
     RecordCase record;
     HealthCase health;
 };
+
+/// V after acceleration.
+[[nodiscard]] inline double travel_speed_m_s(const TravelCase& travel) {
+    return travel.speed_of == SpeedOf::tread ? (1.0 - travel.slip_percent / 100.0) * travel.speed_m_s
+                                             : travel.speed_m_s;
+}
 
 /// An assignment from the command line, `--set table.key=value`.
 struct Override {

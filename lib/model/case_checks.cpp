@@ -28,6 +28,12 @@ void check_soil(const Case& c, Faults& faults) {
                                       "Lengthen the bed?",
                                       2 * largest, c.bed.length_m)});
     }
+    if (c.bed.levelled_count > c.bed.disc_count) {
+        faults.push_back({{"bed.levelled_count", "bed.disc_count"},
+                          fmt::format("levelling leaves {} discs of {} (it takes discs away). Lower "
+                                      "bed.levelled_count?",
+                                      c.bed.levelled_count, c.bed.disc_count)});
+    }
 }
 
 void check_elements(const Case& c, Faults& faults) {
@@ -66,20 +72,22 @@ void check_wheel(const WheelCase& wheel, Faults& faults) {
                          wheel.lug_pairs, pair, round)});
     }
     constexpr double most_elements = 1e6;
-    const auto columns = static_cast<double>((2 + wheel.gap_columns + wheel.pitch_columns) *
-                                             std::max<std::int64_t>(wheel.lug_pairs, 12));
+    const auto columns = static_cast<double>(
+        std::max((2 + wheel.gap_columns + wheel.pitch_columns) * std::max<std::int64_t>(wheel.lug_pairs, 12),
+                 wheel.smooth_columns));
     const auto rings = static_cast<double>(wheel.rim_rings + wheel.intermediate_rings + wheel.surface_rings);
     if (!(columns * rings <= most_elements)) {
         faults.push_back(
             {{"wheel.gap_columns", "wheel.pitch_columns", "wheel.rim_rings", "wheel.intermediate_rings",
-              "wheel.surface_rings", "wheel.lug_pairs"},
+              "wheel.surface_rings", "wheel.lug_pairs", "wheel.smooth_columns"},
              fmt::format("the wheel would have {:.3g} elements (at most {:g}). Use fewer rings or columns?",
                          columns * rings, most_elements)});
     }
 }
 
 void check_travel(const Case& c, Faults& faults) {
-    const double radius = c.wheel.tread_radius_m + (c.wheel.lug_pairs > 0 ? c.wheel.lug_height_m : 0.0);
+    const double round = c.wheel.tread_radius_m + (c.wheel.lug_pairs > 0 ? c.wheel.lug_height_m : 0.0);
+    const double radius = c.wheel.shape == WheelShape::plate ? 0.5 * c.wheel.plate_length_m : round;
     if (!(c.travel.start_x_m - radius >= 0)) {
         faults.push_back(
             {{"travel.start_x_m", "wheel.tread_radius_m", "wheel.lug_height_m"},
@@ -110,14 +118,19 @@ void check_times(const Case& c, Faults& faults) {
              fmt::format("{} = {} is less than time_step_s = {} (nothing happens between steps). Lengthen it?", key,
                          interval, c.time_step_s)});
     }
+    if (c.record.stress_segments > 0 && !(c.record.stress_from_x_m < c.record.stress_to_x_m)) {
+        faults.push_back({{"record.stress_from_x_m", "record.stress_to_x_m"},
+                          fmt::format("contact forces are averaged from x = {} m to {} m (nothing). Exchange them?",
+                                      c.record.stress_from_x_m, c.record.stress_to_x_m)});
+    }
     constexpr double most_steps = 1e10;
     const double end_s = c.stages.consolidation_s + c.stages.sinkage_s + c.travel.acceleration_time_s +
-                         c.travel.distance_m / c.travel.speed_m_s;
+                         c.travel.distance_m / travel_speed_m_s(c.travel);
     if (!(end_s / c.time_step_s <= most_steps)) {
-        faults.push_back(
-            {{"time_step_s", "travel.speed_m_s", "travel.distance_m", "stages.consolidation_s", "stages.sinkage_s"},
-             fmt::format("the run would take {:.3g} steps (at most {:g}). Is time_step_s in seconds?",
-                         end_s / c.time_step_s, most_steps)});
+        faults.push_back({{"time_step_s", "travel.speed_m_s", "travel.speed_of", "travel.distance_m",
+                           "stages.consolidation_s", "stages.sinkage_s"},
+                          fmt::format("the run would take {:.3g} steps (at most {:g}). Is time_step_s in seconds?",
+                                      end_s / c.time_step_s, most_steps)});
     }
 }
 

@@ -15,9 +15,11 @@ constexpr std::string_view contact_end_words[] = {"no-attraction", "attraction"}
 constexpr std::string_view rolling_scheme_words[] = {"limit", "sign"};
 constexpr std::string_view rolling_chord_words[] = {"full", "half"};
 constexpr std::string_view wall_words[] = {"flat", "discs"};
+constexpr std::string_view shape_words[] = {"round", "plate"};
 constexpr std::string_view body_words[] = {"rigid", "rigid-rim", "elastic"};
 constexpr std::string_view damping_frame_words[] = {"rigid-motion", "absolute"};
 constexpr std::string_view slip_radius_words[] = {"tread", "lug-tip"};
+constexpr std::string_view speed_words[] = {"hub", "tread"};
 constexpr std::string_view control_words[] = {"semi-implicit", "explicit"};
 constexpr std::string_view plane_words[] = {"stress", "strain"};
 
@@ -26,9 +28,11 @@ constexpr Words words_of(ContactEnd) { return contact_end_words; }
 constexpr Words words_of(RollingScheme) { return rolling_scheme_words; }
 constexpr Words words_of(RollingChord) { return rolling_chord_words; }
 constexpr Words words_of(WallKind) { return wall_words; }
+constexpr Words words_of(WheelShape) { return shape_words; }
 constexpr Words words_of(WheelBody) { return body_words; }
 constexpr Words words_of(DampingFrame) { return damping_frame_words; }
 constexpr Words words_of(SlipRadius) { return slip_radius_words; }
+constexpr Words words_of(SpeedOf) { return speed_words; }
 constexpr Words words_of(ControlScheme) { return control_words; }
 constexpr Words words_of(PlaneState) { return plane_words; }
 
@@ -92,6 +96,8 @@ constexpr std::array keys{
     IFEDEM_KEY(bed.disc_count, "-", whole(1, 1e7), "number of discs"),
     IFEDEM_KEY(bed.seed, "-", whole(0, 9e15), "seed of the packing; another seed is another realisation"),
     IFEDEM_KEY(bed.walls, "", any, "smooth walls, or walls of fixed discs"),
+    IFEDEM_KEY(bed.levelled_count, "-", whole(0, 1e7),
+               "discs left when the highest are taken away after consolidation; 0 = all stay"),
 
     IFEDEM_KEY(elements.columns, "-", whole(0, 1e4),
                "blocks of soil elements between the end walls; 0 = the soil is discs only"),
@@ -103,9 +109,13 @@ constexpr std::array keys{
                "how many blocks of the top row are discs at the start; 0 = the bed lies on the elements"),
     IFEDEM_MATERIAL(elements.material, "the soil's elements (plane strain)"),
 
+    IFEDEM_KEY(wheel.shape, "", any,
+               "a wheel, or a plate for soil tests: rigid whatever wheel.body says, and not turning"),
+    IFEDEM_KEY(wheel.plate_length_m, "m", above_zero(1e2), "length of a plate along the travel; it is half as high"),
     IFEDEM_KEY(wheel.body, "", any, "all rigid, elastic layers on a rigid rim, or all elastic"),
     IFEDEM_KEY(wheel.load_N, "N", from_zero(1e7), "vertical load W on the hub"),
     IFEDEM_KEY(wheel.width_m, "m", above_zero(1e3), "width of the wheel"),
+    IFEDEM_KEY(wheel.rim_width_m, "m", from_zero(1e3), "width of the rim (WR); 0 = the wheel's"),
     IFEDEM_KEY(wheel.rim_radius_m, "m", above_zero(1e2), "radius of the rim, where the elastic layers begin"),
     IFEDEM_KEY(wheel.tread_radius_m, "m", above_zero(1e2), "radius of the tread, lugs excluded"),
     IFEDEM_KEY(wheel.surface_thickness_m, "m", above_zero(1e2), "thickness of the surface layer under the tread"),
@@ -120,6 +130,8 @@ constexpr std::array keys{
     IFEDEM_KEY(wheel.surface_rings, "-", whole(1, 1e3), "rings of elements in the surface layer"),
     IFEDEM_KEY(wheel.gap_columns, "-", whole(1, 1e3), "columns of elements between the lugs of a pair"),
     IFEDEM_KEY(wheel.pitch_columns, "-", whole(1, 1e3), "columns of elements between pairs"),
+    IFEDEM_KEY(wheel.smooth_columns, "-", whole(0, 1e4),
+               "columns of elements round a smooth tread; 0 = as many as twelve pairs of lugs have"),
     IFEDEM_KEY(wheel.plane, "", any, "plane stress or plane strain in the wheel"),
     IFEDEM_KEY(wheel.damping_frame, "", any,
                "wheel damping acts on the velocity less the rim's rigid motion, or on all of it"),
@@ -129,7 +141,9 @@ constexpr std::array keys{
     IFEDEM_MATERIAL(wheel.lug, "the lugs (WL)"),
 
     IFEDEM_KEY(travel.slip_percent, "%", (Range{-100, 100, false, false}), "forced slip i = 1 - V/(r omega)"),
-    IFEDEM_KEY(travel.speed_m_s, "m/s", above_zero(100), "forward speed V after acceleration"),
+    IFEDEM_KEY(travel.speed_m_s, "m/s", above_zero(100), "speed after acceleration: see speed_of"),
+    IFEDEM_KEY(travel.speed_of, "", any,
+               "whose speed speed_m_s is: the hub's V, or r omega of the tread; V = (1 - i) r omega then"),
     IFEDEM_KEY(travel.acceleration_time_s, "s", from_zero(1e5), "time to reach that speed"),
     IFEDEM_KEY(travel.distance_m, "m", from_zero(1e3), "distance of travel"),
     IFEDEM_KEY(travel.start_x_m, "m", from_zero(1e3), "hub's place at the start, from the left wall"),
@@ -151,6 +165,7 @@ constexpr std::array keys{
 
     IFEDEM_KEY(stages.consolidation_s, "s", from_zero(1e5), "time for the bed to settle"),
     IFEDEM_KEY(stages.sinkage_s, "s", from_zero(1e5), "time for the wheel to sink freely"),
+    IFEDEM_KEY(stages.load_ramp_s, "s", from_zero(1e5), "part of it over which the load grows; 0 = all at once"),
 
     IFEDEM_KEY(record.series_interval_s, "s", above_zero(1e5), "time between rows of series.csv"),
     IFEDEM_KEY(record.frame_interval_s, "s", from_zero(1e5), "time between frames; 0 = none"),
@@ -158,6 +173,11 @@ constexpr std::array keys{
                "time between checkpoints; 0 = at the end of stages only"),
     IFEDEM_KEY(record.energy_interval_s, "s", from_zero(1e5),
                "time between samples of dissipation; 0 = no energy budget"),
+    IFEDEM_KEY(record.stress_segments, "-", whole(0, 1e5),
+               "virtual segments of the wheel's lower half that contact forces are summed on; 0 = none"),
+    IFEDEM_KEY(record.stress_blocks, "-", whole(1, 1e3), "equal parts of the averaging window, summed apart"),
+    IFEDEM_KEY(record.stress_from_x_m, "m", from_zero(1e3), "hub's place where the averaging of contact forces begins"),
+    IFEDEM_KEY(record.stress_to_x_m, "m", from_zero(1e3), "hub's place where it ends"),
 
     IFEDEM_KEY(health.overlap_limit, "-", above_zero(2),
                "stop when an overlap exceeds this share of the smaller radius"),

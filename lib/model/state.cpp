@@ -32,6 +32,10 @@ template <>
 constexpr std::size_t size_of_members<SeriesSums> = 9 * sizeof(double);
 template <>
 constexpr std::size_t size_of_members<ElementShape> = 8 * sizeof(double);
+template <>
+constexpr std::size_t size_of_members<SegmentSum> = 8 * sizeof(double);
+template <>
+constexpr std::size_t size_of_members<StressBlock> = 7 * sizeof(double);
 
 void add_bytes(Hasher& hasher, const void* data, std::size_t size) {
     const auto* bytes = static_cast<const unsigned char*>(data);
@@ -69,6 +73,7 @@ std::uint64_t hash_state(const State& state) {
     const auto add = [&hasher](const char*, const auto& member) { add_member(hasher, member); };
     for_each_member(state, add);
     if (has_soil_elements(state)) for_each_soil_member(state, add);
+    if (has_contact_stress(state)) for_each_stress_member(state, add);
     return hasher.value();
 }
 

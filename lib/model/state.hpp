@@ -102,6 +102,31 @@ struct SeriesSums {
     double effective_radius_m = 0, hub_speed_m_s = 0, omega_clockwise_rad_s = 0;
 };
 
+/// Sums over the steps of one block of the averaging window, of the forces on the wheel whose contact lies on one
+/// virtual segment (section 4.2.2). θ > 0 clockwise from the direction of travel; normal > 0 in compression,
+/// tangential > 0 forward at bottom dead centre.
+struct SegmentSum {
+    double radial_N = 0, circumferential_N = 0;  ///< along and across the radius at the contact's own angle
+    double normal_N = 0, tangential_N = 0;       ///< along and across the deformed surface's own normal
+    double fx_N = 0, fy_N = 0;
+    double moment_Nm = 0;  ///< about the hub, counter-clockwise: what the torque overcomes
+    double contacts = 0;
+};
+
+/// Sums over the same steps for the balance of momentum.
+struct StressBlock {
+    double steps = 0;
+    double drawbar_N = 0, torque_Nm = 0;  ///< P and T (clockwise)
+    double effective_radius_m = 0;
+    double impulse_x_Ns = 0, impulse_y_Ns = 0;  ///< growth of the wheel's momentum
+    double spin_Nms = 0;                        ///< growth of its clockwise angular momentum about the hub
+};
+
+struct StressState {
+    std::vector<SegmentSum> segment;  ///< block by block: the segments, then one for contacts on the upper half
+    std::vector<StressBlock> block;
+};
+
 enum class Stage : std::uint64_t { consolidation = 0, sinkage = 1, travel = 2, finished = 3 };
 
 struct Progress {
@@ -140,6 +165,7 @@ struct State {
     ControlState control;
     EnergyLedger energy;
     SeriesSums series;
+    StressState stress;
     Vec2 touch_position_m;  ///< hub centre just before the first touch: the zero of sinkage
     SoilState soil;         ///< empty without soil elements
 };
@@ -183,6 +209,16 @@ void for_each_soil_member(S& s, F&& f) {
     f("soil_position_m", s.soil.position_m);
     f("soil_velocity_m_s", s.soil.velocity_m_s);
     f("soil_contacts", s.soil.contacts);
+}
+
+/// True if forces of contacts with the wheel are being averaged, or have been.
+[[nodiscard]] inline bool has_contact_stress(const State& s) { return !s.stress.block.empty(); }
+
+/// And for the members that only such scenes have.
+template <class S, class F>
+void for_each_stress_member(S& s, F&& f) {
+    f("stress_segment", s.stress.segment);
+    f("stress_block", s.stress.block);
 }
 
 /// The hash that `run` prints: every member, bytes as they are.

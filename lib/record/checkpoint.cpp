@@ -92,7 +92,8 @@ std::string unit_of(std::string_view name) {
     static constexpr std::array endings = {
         Ending{"_rad_s2", "rad/s2"}, Ending{"_m_s2", "m/s2"}, Ending{"_rad_s", "rad/s"}, Ending{"_m_s", "m/s"},
         Ending{"_1_kg", "1/kg"},     Ending{"_rad", "rad"},   Ending{"_kg", "kg"},       Ending{"_m", "m"},
-        Ending{"_s", "s"},           Ending{"_J", "J"},       Ending{"_N", "N"},         Ending{"_Nm", "N m"}};
+        Ending{"_Ns", "N s"},        Ending{"_Nms", "N m s"}, Ending{"_s", "s"},         Ending{"_J", "J"},
+        Ending{"_N", "N"},           Ending{"_Nm", "N m"}};
     for (const Ending& ending : endings) {
         if (name.ends_with(ending.text)) return ending.unit;
     }
@@ -184,6 +185,7 @@ std::vector<std::byte> make_image(const std::string& path, const State& state, c
     const auto write = [&](const char* name, const auto& member) { write_member(file, path, name, member); };
     for_each_member(state, write);
     if (has_soil_elements(state)) for_each_soil_member(state, write);
+    if (has_contact_stress(state)) for_each_stress_member(state, write);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "make", path);
     const ssize_t size = H5Fget_file_image(file, nullptr, 0);
     if (size <= 0) hdf5::fail("make", path);
@@ -257,6 +259,7 @@ Checkpoint read_checkpoint(const std::string& path) {
     const auto read = [&](const char* name, auto& member) { read_member(file, path, name, member); };
     for_each_member(checkpoint.state, read);
     if (H5Lexists(file, "soil_kind", H5P_DEFAULT) > 0) for_each_soil_member(checkpoint.state, read);
+    if (H5Lexists(file, "stress_block", H5P_DEFAULT) > 0) for_each_stress_member(checkpoint.state, read);
     return checkpoint;
 }
 

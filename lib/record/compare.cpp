@@ -49,6 +49,7 @@ std::vector<Rows> all_rows(const State& state) {
     const auto add = [&](const char* name, const auto& member) { rows.push_back(rows_of(name, member)); };
     for_each_member(state, add);
     for_each_soil_member(state, add);
+    for_each_stress_member(state, add);
     return rows;
 }
 

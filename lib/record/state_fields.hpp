@@ -32,6 +32,12 @@ template <>
 inline constexpr const char* fields_of<SeriesSums> =
     "steps,drawbar_N,torque_Nm,fx_positive_N,fx_negative_N,fy_N,effective_radius_m,hub_speed_m_s,"
     "omega_clockwise_rad_s";
+template <>
+inline constexpr const char* fields_of<SegmentSum> =
+    "radial_N,circumferential_N,normal_N,tangential_N,fx_N,fy_N,moment_Nm,contacts";
+template <>
+inline constexpr const char* fields_of<StressBlock> =
+    "steps,drawbar_N,torque_Nm,effective_radius_m,impulse_x_Ns,impulse_y_Ns,spin_Nms";
 
 template <class T>
 constexpr bool fields_are_complete() {

@@ -24,6 +24,13 @@ Targets next_targets(const Scene& scene, const State& state) {
     return t;
 }
 
+/// W: in full but for the beginning of a sinkage with a ramp.
+double load_now_N(const Scene& scene, const State& state) {
+    const double load = scene.wheel.load_N, ramp_s = scene.c.stages.load_ramp_s;
+    if (scene.stage != Stage::sinkage || !(ramp_s > 0)) return load;
+    return load * min_of(1.0, static_cast<double>(state.progress.step) * scene.dem.step_s / ramp_s);
+}
+
 /// c of Eq 2.8: of absolute damping only, that of the rigid-motion frame is among the forces.
 double absolute_damping_kg_s(const WheelModel& m, std::uint32_t n) {
     return m.damping_frame == DampingFrame::absolute ? m.elements.damping_kg_s[n] : 0.0;
@@ -52,7 +59,7 @@ void advance_rigid_rim(const Scene& scene, State& state, const WheelWorkspace& w
     const ControlCase& control = scene.c.control;
     const double dt = scene.dem.step_s;
     RigidBody& rim = state.wheel.rim;
-    Vec2 force = work.damping_on_body.force_N + Vec2{0, -m.load_N};
+    Vec2 force = work.damping_on_body.force_N + Vec2{0, -load_now_N(scene, state)};
     double moment = work.damping_on_body.moment_Nm;
     for (const std::uint32_t n : m.mesh.rigid) {
         force += work.force_N[n];
@@ -125,7 +132,7 @@ void advance_elastic_rim(const Scene& scene, State& state, const WheelWorkspace&
     advance_free_nodes(scene, state, work, hub);
     Vec2& v = w.velocity_m_s[hub];
     const double mass = m.elements.mass_kg[hub], c = absolute_damping_kg_s(m, hub);
-    v.y = advance_velocity(v.y, work.force_N[hub].y - m.load_N, mass, c, dt);
+    v.y = advance_velocity(v.y, work.force_N[hub].y - load_now_N(scene, state), mass, c, dt);
     v.x = advance_controlled(control.scheme, control.drawbar, {mass, c, w.position_m[hub].x, v.x, work.force_N[hub].x},
                              target.x_m, dt, state.control.drawbar);
     // The nodes have been advanced without T; the loop sees their mean spin as its free motion.

@@ -62,8 +62,9 @@ std::uint64_t steps_of_stage(const Case& c, Stage stage) {
     if (stage == Stage::sinkage) duration = c.stages.sinkage_s;
     if (stage == Stage::travel) {
         const double ramp = c.travel.acceleration_time_s;
-        const double rest = c.travel.distance_m - 0.5 * ramp * c.travel.speed_m_s;
-        duration = ramp + max_of(0.0, rest) / c.travel.speed_m_s;
+        const double speed = travel_speed_m_s(c.travel);
+        const double rest = c.travel.distance_m - 0.5 * ramp * speed;
+        duration = ramp + max_of(0.0, rest) / speed;
     }
     return static_cast<std::uint64_t>(std::llround(duration / c.time_step_s));
 }
@@ -83,7 +84,9 @@ void begin_stage(const Scene& scene, State& state) {
     state.progress.step = 0;
     state.energy = {};
     state.series = {};
+    state.stress = {};
     if (scene.stage == Stage::sinkage) {
+        if (scene.c.bed.levelled_count > 0) level_surface(state, static_cast<std::size_t>(scene.c.bed.levelled_count));
         state.touch_position_m = find_first_touch(scene, state);
         state.wheel = place_wheel(scene.wheel, state.touch_position_m);
     }

@@ -39,8 +39,8 @@ struct Workspace {
 /// Discs in an unsettled bed, no wheel: the beginning of consolidation.
 [[nodiscard]] State make_initial_state(const Case& c);
 
-/// Turns the end of one stage into the beginning of the next: places the wheel just above the soil (sinkage), or starts
-/// the control loops afresh (travel).
+/// Turns the end of one stage into the beginning of the next: levels the surface if the case asks for it and places the
+/// wheel just above the soil (sinkage), or starts the control loops afresh (travel).
 void begin_stage(const Scene& scene, State& state);
 
 }  // namespace ifedem

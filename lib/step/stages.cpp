@@ -27,7 +27,8 @@ std::string stage_hash(const Case& c, Stage stage, int results_version) {
                                      "contact.contact_end"};
     if (c.elements.columns > 0) keys.emplace_back("elements");  // only then: other scenes keep their stages' names
     if (stage != Stage::consolidation)
-        keys.insert(keys.end(), {"contact", "wheel", "control", "travel.start_x_m", "stages.sinkage_s"});
+        keys.insert(keys.end(),
+                    {"contact", "wheel", "control", "travel.start_x_m", "stages.sinkage_s", "stages.load_ramp_s"});
     if (stage == Stage::travel) keys.insert(keys.end(), {"travel", "record"});
     h.add(to_toml_subset(c, keys));
     return to_hex(h.value());

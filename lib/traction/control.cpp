@@ -30,14 +30,16 @@ double advance_controlled(ControlScheme scheme, const GainsCase& gains, const Co
 }
 
 double commanded_omega_rad_s(const TravelCase& travel, const WheelCase& wheel) {
+    if (wheel.shape == WheelShape::plate) return 0;
     const double radius =
         travel.slip_radius == SlipRadius::tread ? wheel.tread_radius_m : wheel.tread_radius_m + wheel.lug_height_m;
+    if (travel.speed_of == SpeedOf::tread) return travel.speed_m_s / radius;
     return travel.speed_m_s / (radius * (1.0 - travel.slip_percent / 100.0));
 }
 
 TravelTarget travel_target(const TravelCase& travel, const WheelCase& wheel, double time_s) {
     const double share = travel.acceleration_time_s > 0 ? std::min(1.0, time_s / travel.acceleration_time_s) : 1.0;
-    return {share * travel.speed_m_s, share * commanded_omega_rad_s(travel, wheel)};
+    return {share * travel_speed_m_s(travel), share * commanded_omega_rad_s(travel, wheel)};
 }
 
 }  // namespace ifedem

@@ -29,7 +29,9 @@ struct TravelTarget {
 };
 [[nodiscard]] TravelTarget travel_target(const TravelCase& travel, const WheelCase& wheel, double time_s);
 
-/// ω = V / (r (1 − i)) with the unloaded radius that the case names (Eq 3.8 with r_e unknown beforehand).
+/// ω = V / (r (1 − i)) with the unloaded radius that the case names (Eq 3.8 with r_e unknown beforehand), or r ω as the
+/// case gives it (section 4.2.4: the tyre turns at a constant speed and V follows from the slip). A plate does not
+/// turn.
 [[nodiscard]] double commanded_omega_rad_s(const TravelCase& travel, const WheelCase& wheel);
 
 }  // namespace ifedem

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "support/dem_scenes.hpp"
 
@@ -41,6 +42,66 @@ TEST(GenerateBed, has_the_shares_and_masses_of_the_case) {
             EXPECT_NEAR(mass_of(bed.disc[n]), 2600 * 0.1 * pi * r * r, 1e-15);
         }
     }
+}
+
+/// Every contact by ids in the numbering before levelling, with its spring.
+using Springs = std::map<std::pair<std::uint32_t, std::uint32_t>, double>;
+Springs springs_of(const State& state, const std::vector<std::uint32_t>& old_id) {
+    Springs springs;
+    for (std::size_t n = 0; n < state.pairs.inner.size(); ++n) {
+        const std::uint32_t a = old_id[state.discs.id[state.pairs.i[state.pairs.inner[n]]]];
+        const std::uint32_t b = old_id[state.discs.id[state.pairs.j[state.pairs.inner[n]]]];
+        springs[{std::min(a, b), std::max(a, b)}] = state.pairs.tangential_m[n];
+    }
+    for (const BoundaryContact& c : state.wall_contacts)
+        springs[{1000000 + c.surface, old_id[c.disc]}] = c.tangential_m;
+    return springs;
+}
+
+TEST(LevelSurface, takes_the_highest_away_and_keeps_every_other_spring) {
+    Case c = make_case(300, 0.1, 2);
+    c.contact.consolidation_friction_soil = c.contact.consolidation_friction_wall = 0.4;
+    World w;
+    w.scene = make_scene(c, Stage::consolidation);
+    w.state = make_initial_state(c);
+    w.work = make_workspace(w.scene, w.state);
+    advance(w, 4000);
+    const State before = w.state;
+    level_surface(w.state, 250);
+    ASSERT_EQ(w.state.discs.disc.size(), 250U);
+
+    // The same discs by brute force; their order of ids tells the old from the new ones.
+    std::vector<double> tops;
+    for (const Disc& d : before.discs.disc) tops.push_back(d.y_m + d.radius_m);
+    std::sort(tops.begin(), tops.end());
+    std::vector<std::uint32_t> old_id, everyone(300);
+    for (std::uint32_t id = 0; id < 300; ++id) {
+        everyone[id] = id;
+        const auto p = static_cast<std::size_t>(std::find(before.discs.id.begin(), before.discs.id.end(), id) -
+                                                before.discs.id.begin());
+        if (before.discs.disc[p].y_m + before.discs.disc[p].radius_m <= tops[249]) old_id.push_back(id);
+    }
+    ASSERT_EQ(old_id.size(), 250U);
+    for (std::size_t p = 0; p < 250; ++p) {
+        const auto q = static_cast<std::size_t>(
+            std::find(before.discs.id.begin(), before.discs.id.end(), old_id[w.state.discs.id[p]]) -
+            before.discs.id.begin());
+        EXPECT_EQ(w.state.discs.disc[p].x_m, before.discs.disc[q].x_m);
+    }
+    Springs expected = springs_of(before, everyone);
+    std::erase_if(expected, [&](const auto& entry) {
+        const auto gone = [&](std::uint32_t id) { return !std::binary_search(old_id.begin(), old_id.end(), id); };
+        return gone(entry.first.second) || (entry.first.first < 1000000 && gone(entry.first.first));
+    });
+    const Springs kept = springs_of(w.state, old_id);
+    EXPECT_EQ(kept, expected);
+    const auto loaded = std::count_if(kept.begin(), kept.end(), [](const auto& entry) { return entry.second != 0; });
+    EXPECT_GT(loaded, 100);
+
+    // What stays can be stepped on: the top is gone, so that nothing may be thrown about.
+    w.work = make_workspace(w.scene, w.state);
+    advance(w, 100);
+    EXPECT_LT(rms_speed_m_s(w.state.discs), 0.1);
 }
 
 TEST(GenerateBed, fits_into_the_bin_with_hardly_an_overlap) {

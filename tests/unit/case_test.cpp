@@ -406,10 +406,11 @@ TEST(CaseWriter, SubsetHoldsTheAskedKeysAndNoOthers) {
     c.name = "x";
     c.gravity_m_s2 = 9.81;
     c.time_step_s = 4e-5;
-    c.bed = {1.5, 19468, 1, WallKind::flat};
+    c.bed = {1.5, 19468, 1, WallKind::flat, 0};
     c.wheel.lug.young_Pa = 4e6;
-    EXPECT_EQ(to_toml_subset(c, {"bed"}),
-              "bed.length_m = 1.5\nbed.disc_count = 19468\nbed.seed = 1\nbed.walls = \"flat\"\n");
+    EXPECT_EQ(
+        to_toml_subset(c, {"bed"}),
+        "bed.length_m = 1.5\nbed.disc_count = 19468\nbed.seed = 1\nbed.walls = \"flat\"\nbed.levelled_count = 0\n");
     EXPECT_EQ(to_toml_subset(c, {"bed.seed", "gravity_m_s2"}), "gravity_m_s2 = 9.81\nbed.seed = 1\n");
     EXPECT_EQ(to_toml_subset(c, {"gravity_m_s2", "bed.seed", "bed.seed"}), "gravity_m_s2 = 9.81\nbed.seed = 1\n");
     EXPECT_EQ(to_toml_subset(c, {""}),

@@ -42,6 +42,7 @@ State random_state(std::uint64_t seed) {
     const auto fill_member = [&](const char*, auto& member) { fill(member, random); };
     for_each_member(state, fill_member);
     for_each_soil_member(state, fill_member);
+    for_each_stress_member(state, fill_member);
     return state;
 }
 
@@ -60,6 +61,7 @@ std::string first_difference(const State& a, const State& b) {
     const auto note = [&](const char*, const auto& member) { of_a.push_back(bytes_of(member)); };
     for_each_member(a, note);
     for_each_soil_member(a, note);
+    for_each_stress_member(a, note);
     std::string difference;
     std::size_t k = 0;
     const auto compare = [&](const char* name, const auto& member) {
@@ -67,6 +69,7 @@ std::string first_difference(const State& a, const State& b) {
     };
     for_each_member(b, compare);
     for_each_soil_member(b, compare);
+    for_each_stress_member(b, compare);
     return difference;
 }
 

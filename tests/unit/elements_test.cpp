@@ -22,6 +22,24 @@ Mesh make_odd_quads() {  // three unequal quads of two parts
     return mesh;
 }
 
+// Table 4-1: a rim of 10 mm in a tyre of 170 mm. Stiffness and mass go with the width of each part.
+TEST(Elements, each_part_has_its_own_width) {
+    WheelCase wheel;
+    wheel.body = WheelBody::elastic;
+    wheel.rim_width_m = 0.25 * wheel.width_m;
+    const WheelMesh mesh = make_wheel_mesh(wheel);
+    const ElementSet narrow = make_elements(mesh.mesh, wheel_materials(wheel), wheel_widths_m(wheel), wheel.plane);
+    const ElementSet wide = make_elements(mesh.mesh, wheel_materials(wheel), wheel.width_m, wheel.plane);
+    for (std::size_t e = 0; e < mesh.mesh.quad.size(); ++e) {
+        const double share = mesh.mesh.part[e] == Part::rim ? 0.25 : 1.0;
+        EXPECT_NEAR(narrow.element_mass_kg[e], share * wide.element_mass_kg[e], 1e-15);
+        EXPECT_NEAR(narrow.element[e].stiffness_N_m[0], share * wide.element[e].stiffness_N_m[0],
+                    1e-12 * wide.element[e].stiffness_N_m[0]);
+    }
+    wheel.rim_width_m = 0;
+    EXPECT_EQ(wheel_widths_m(wheel)[0], wheel.width_m);
+}
+
 TEST(Elements, mass_and_damping_are_lumped_in_quarters) {
     const Mesh mesh = scene::make_bar(2, 1, 0.2, 0.05);
     const ElementSet set = make_elements(mesh, everywhere(rubber), 0.1, PlaneState::stress);

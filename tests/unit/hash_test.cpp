@@ -95,6 +95,7 @@ State make_full_state() {
     const auto fill_member = [&random](const char*, auto& member) { fill(member, random); };
     for_each_member(state, fill_member);
     for_each_soil_member(state, fill_member);
+    for_each_stress_member(state, fill_member);
     return state;
 }
 
@@ -141,6 +142,7 @@ TEST(StateHash, ChangesWithEveryByteOfEveryMember) {
     const auto expect = [&](const char* name, auto& member) { expect_hash_follows(state, name, member); };
     for_each_member(state, expect);
     for_each_soil_member(state, expect);
+    for_each_stress_member(state, expect);
 }
 
 TEST(StateHash, TheListOfMembersIsWhole) {
@@ -157,6 +159,7 @@ TEST(StateHash, TheListOfMembersIsWhole) {
     };
     for_each_member(state, note);
     for_each_soil_member(state, note);
+    for_each_stress_member(state, note);
     EXPECT_EQ(listed, sizeof(State));
     EXPECT_EQ(names.size(), count) << "two members of one name";
 }

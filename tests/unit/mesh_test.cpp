@@ -166,6 +166,14 @@ TEST(WheelMesh, smooth_tread_has_as_many_columns_and_no_lugs) {
     }
 }
 
+// 448 quads with 477 nodes have 56 boundary edges by Euler's rule: 7 rings of 56 around 56 quads within the rim.
+TEST(WheelMesh, the_tyre_of_chapter_4_has_the_columns_of_the_published_counts) {
+    const WheelCase c = read_case(IFEDEM_SOURCE_DIR "/reproductions/chapter4/cases/tyre.toml").wheel;
+    const WheelMesh wheel = make_wheel_mesh(c);
+    EXPECT_EQ(wheel.boundary.size(), 2U * (477U - 448U - 1U));
+    EXPECT_EQ(wheel.mesh.quad.size() + static_cast<std::size_t>(c.rim_rings) * 56U + 56U, 448U);
+}
+
 TEST(WheelMesh, impossible_wheels_are_refused) {
     const auto refused = [](auto change) {
         WheelCase c;

@@ -13,6 +13,26 @@
 namespace ifedem {
 namespace {
 
+// Section 4.2.4: r ω = 97.6 mm/s for every slip, V = (1 − i) r ω; the speeds of the six slips are in the ledger (D146).
+TEST(TravelTarget, of_a_constant_circumferential_speed) {
+    Case c;
+    c.wheel.tread_radius_m = 0.2675;
+    c.travel.speed_m_s = 0.0976;
+    c.travel.speed_of = SpeedOf::tread;
+    constexpr std::array slip{-5.0, 1.0, 7.5, 22.0, 37.5, 55.0};
+    constexpr std::array speed_mm_s{102.48, 96.62, 90.28, 76.13, 61.00, 43.92};
+    for (std::size_t k = 0; k < slip.size(); ++k) {
+        c.travel.slip_percent = slip[k];
+        const TravelTarget target = travel_target(c.travel, c.wheel, 10.0);
+        EXPECT_NEAR(1e3 * target.speed_m_s, speed_mm_s[k], 0.005);
+        EXPECT_DOUBLE_EQ(target.omega_clockwise_rad_s, 0.0976 / 0.2675);
+        // The ramp of 1 s covers half of what full speed would.
+        const double travelled =
+            (static_cast<double>(steps_of_stage(c, Stage::travel)) * c.time_step_s - 0.5) * target.speed_m_s;
+        EXPECT_NEAR(travelled, c.travel.distance_m, c.time_step_s * target.speed_m_s);
+    }
+}
+
 // ---- Exact solution -----------------------------------------------------------------------------------------------
 
 /// (∫e, e, ė, 1): the last carries the constant part.
