@@ -8,6 +8,7 @@
 #include "step/integrate_discs.hpp"
 #include "step/integrate_soil.hpp"
 #include "step/integrate_wheel.hpp"
+#include "traction/contact_stress.hpp"
 
 namespace ifedem {
 
@@ -24,7 +25,10 @@ void step(const Scene& scene, State& state, Workspace& work) {
         lap(Phase::wheel_contact);
         add_wheel_forces(scene, state, work.wheel);
         lap(Phase::wheel_force);
+        const auto block = enter_stress_block(scene.c.record, state);
+        if (block) add_contacts_to_stress(scene.c.record, scene.wheel, work.wheel, *block, state);
         integrate_wheel(scene, state, work.wheel);  // control included: the loops act on what they integrate
+        if (block) add_control_to_stress(scene.wheel, *block, state);
         lap(Phase::wheel_motion);
     }
     if (scene.has_soil_elements()) {
