@@ -11,7 +11,9 @@
 #include "app/picture.hpp"
 #include "app/run_case.hpp"
 #include "app/run_info.hpp"
+#include "app/soil.hpp"
 #include "app/stiffness.hpp"
+#include "app/stress.hpp"
 #include "app/watch.hpp"
 #include "check/check.hpp"
 #include "check/report.hpp"
@@ -153,6 +155,17 @@ int run_program(int argc, char** argv) {
     press->add_option("-o,--output", stiffness.directory, "directory for stiffness.csv")->required();
     press->add_option("--load", stiffness.load_N, "load of the secant, N");
     press->callback([&] { write_stiffness(stiffness); });
+    StressRequest stress;
+    auto* contact = app.add_subcommand("stress", "contact stress of travels: measurements.csv and data of figures");
+    contact->add_option("runs", stress.run_directories, "run directories")->required();
+    contact->add_option("-o,--output", stress.directory, "directory for what comes out")->required();
+    contact->add_option("--soil", stress.soil_directory, "directory of `ifedem soil`: the semi-empirical wheel too");
+    contact->callback([&] { write_stress(stress); });
+    SoilRequest soil;
+    auto* plates = app.add_subcommand("soil", "soil parameters of the semi-empirical wheel from plate tests");
+    plates->add_option("runs", soil.run_directories, "runs of plates under several loads")->required();
+    plates->add_option("-o,--output", soil.directory, "directory for soil.csv")->required();
+    plates->callback([&] { write_soil(soil); });
     auto* follow = app.add_subcommand("watch", "overall progress of a set of runs");
     follow->add_option("runs", watch.directories, "run directories")->required();
     follow->callback([&] { watch_runs(watch); });

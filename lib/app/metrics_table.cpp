@@ -15,8 +15,9 @@ void write_metrics(const std::vector<std::string>& run_directories, const std::s
     text += ",drawbar_deviation_N\n";
     for (const std::string& directory : run_directories) {
         const Run run = read_run(directory);
-        const double scale = run.c.travel.distance_m / full_travel_m;
-        const Window whole = averaging_window(run.c.travel.slip_percent);
+        const bool own = run.c.record.stress_segments > 0;  // a window of its own, in places of the hub
+        const double scale = own ? 1 : run.c.travel.distance_m / full_travel_m;
+        const Window whole = averaging_window(run.c);
         const RunMetrics metrics = measure(run, {scale * whole.from_m, scale * whole.to_m});
         text += run.name;
         for (const MetricInfo& m : metric_table()) text += fmt::format(",{:.5g}", metrics.*m.member);

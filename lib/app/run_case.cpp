@@ -15,6 +15,7 @@
 #include "app/picture.hpp"
 #include "app/progress_line.hpp"
 #include "app/run_info.hpp"
+#include "app/stress_files.hpp"
 #include "core/hash.hpp"
 #include "dem/bed.hpp"
 #include "record/checkpoint.hpp"
@@ -223,6 +224,7 @@ int finish(LiveRun& run, double cpu_s, double wall_s) {
             for (const RunValue& v : read_values(stage_directory(run, s) + "/stage.csv"))
                 values.push_back({std::string(stage_name(s)) + "_" + v.name, v.value, v.unit});
         write_file_atomically(run.request.directory + "/run.csv", to_csv(values));
+        write_contact_stress(run.request.directory, run.c, run.state.stress);
         draw_pictures(run.request.directory, run.request.directory, -1);
         std::error_code ignored;
         fs::remove(checkpoint_path(run), ignored);  // the run is whole: nothing is left to go on from

@@ -98,7 +98,7 @@ void require_realisations(const Campaign& campaign) {
 MeasuredRun measure_run(Run run) {
     MeasuredRun m{std::move(run), {}, {}, {}};
     m.condition = condition_of(m.run.c);
-    Window window = averaging_window(m.condition.slip_percent);
+    Window window = averaging_window(m.run.c);
     const double distance = m.run.c.travel.distance_m;
     if (distance < window.to_m) {
         m.shortfall = fmt::format("{} travelled {:g} m of the {:g} m that the text's window needs", m.run.name,

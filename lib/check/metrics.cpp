@@ -60,11 +60,18 @@ Window averaging_window(double slip_percent) {
     return slip_percent <= 60.0 + 1e-9 ? Window{0.4, 0.8} : Window{0.6, 0.8};
 }
 
+Window averaging_window(const Case& c) {
+    if (c.record.stress_segments == 0) return averaging_window(c.travel.slip_percent);
+    return {c.record.stress_from_x_m - c.travel.start_x_m, c.record.stress_to_x_m - c.travel.start_x_m};
+}
+
 double lug_pair_pitch_m(const Case& c) {
+    if (c.wheel.lug_pairs == 0) return 0;
     return 2 * pi * slip_radius_m(c) / static_cast<double>(c.wheel.lug_pairs) * (1 - c.travel.slip_percent / 100);
 }
 
 Window trim(const Window& window, double pitch_m) {
+    if (pitch_m == 0) return window;
     // A hair of slack, so that a window of exactly n pitches keeps them all in spite of rounding.
     const double pitches = std::floor((window.to_m - window.from_m) / pitch_m * (1 + 1e-12));
     if (!(pitches >= 1))

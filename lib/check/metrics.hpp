@@ -19,11 +19,15 @@ struct Window {
 /// 40–80 cm for slips up to 60 % and 60–80 cm above (section 3.3.1).
 [[nodiscard]] Window averaging_window(double slip_percent);
 
-/// Travel while one pair of lugs passes: (2πr/pairs)(1 − i), with the radius r that the commanded slip uses.
+/// That, or the places between which the case averages contact stress (chapter 4: 0.9–1.2 m from the bin's left edge).
+[[nodiscard]] Window averaging_window(const Case& c);
+
+/// Travel while one pair of lugs passes: (2πr/pairs)(1 − i), with the radius r that the commanded slip uses; 0 for a
+/// smooth tread.
 [[nodiscard]] double lug_pair_pitch_m(const Case& c);
 
 /// The last whole number of pitches in the window; its beginning moves, so that what is left of the controllers'
-/// transient is cut off first. Throws Error(bad_input) if not one pitch fits.
+/// transient is cut off first. Pitch 0 leaves the window whole. Throws Error(bad_input) if not one pitch fits.
 [[nodiscard]] Window trim(const Window& window, double pitch_m);
 
 /// ∫ y dt / ∫ dt between two times, by the trapezoidal rule with interpolated ends.

@@ -15,7 +15,9 @@ namespace {
 bool is_near(double a, double b) { return std::abs(a - b) <= 5e-3 * std::abs(b); }
 
 std::string wheel_name(const WheelCase& wheel) {
+    if (wheel.shape == WheelShape::plate) return "plate";
     if (wheel.body == WheelBody::rigid) return "rigid";
+    if (wheel.lug_pairs == 0) return "tyre";
     if (is_near(wheel.intermediate.young_Pa, 0.05e6)) return "B3";
     if (is_near(wheel.intermediate.young_Pa, 0.3e6)) return "B6";
     return "other";

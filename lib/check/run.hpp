@@ -31,7 +31,8 @@ struct Run {
 
 /// What a run stands for in a claim.
 struct Condition {
-    std::string wheel;    ///< B3 or B6 (by the Young's modulus of WI, Table 3-2), rigid, or "other"
+    std::string
+        wheel;  ///< B3 or B6 (by the Young's modulus of WI, Table 3-2), tyre (no lugs), plate, rigid, or "other"
     std::string gravity;  ///< earth, mars, or the number in m/s²
     double load_N = 0;
     double slip_percent = 0;

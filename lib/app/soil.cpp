@@ -1,0 +1,96 @@
+#include "app/soil.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "check/csv.hpp"
+#include "check/run.hpp"
+#include "core/error.hpp"
+
+namespace ifedem {
+namespace {
+
+struct PlateTest {
+    double pressure_Pa = 0, sinkage_m = 0;
+    ShearTest shear;
+};
+
+PlateTest read_plate(const std::string& directory) {
+    const Run run = read_run(directory);
+    if (run.c.wheel.shape != WheelShape::plate)
+        fail_input(fmt::format("{} is no plate test (wheel.shape is not \"plate\"). Leave it out.", directory));
+    const auto sinkage = parse_number(run.text("sinkage_sinkage_m"));
+    if (!sinkage) fail_input(fmt::format("{}/run.csv tells no sinkage_sinkage_m. Run the case again.", directory));
+    const double area = run.c.wheel.plate_length_m * run.c.wheel.width_m;
+    PlateTest t{run.c.wheel.load_N / area, -*sinkage, {}};
+    t.shear.normal_Pa = t.pressure_Pa;
+    const auto& x = run.travel.at("wheel_x_m");
+    const auto& pull = run.travel.at("drawbar_pull_N");
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        t.shear.displacement_m.push_back(x[k] - x[0]);
+        t.shear.shear_Pa.push_back(pull[k] / area);
+    }
+    return t;
+}
+
+std::string plate_table(const std::vector<PlateTest>& tests, const PressureSinkage& p) {
+    std::string text = "pressure_kPa,sinkage_mm,fit_mm\n";
+    for (const PlateTest& t : tests)
+        text += fmt::format("{:.5g},{:.5g},{:.5g}\n", 1e-3 * t.pressure_Pa, 1e3 * t.sinkage_m,
+                            1e3 * std::pow(t.pressure_Pa / p.modulus_Pa_mn, 1 / p.exponent));
+    return text;
+}
+
+std::string shear_table(const std::vector<PlateTest>& tests, const ShearStrength& s) {
+    std::string text = "normal_kPa,displacement_mm,shear_kPa,fit_kPa\n";
+    for (const PlateTest& t : tests) {
+        const double strength = s.cohesion_Pa + s.friction * t.shear.normal_Pa;
+        for (std::size_t k = 0; k < t.shear.shear_Pa.size(); ++k) {
+            const double j = t.shear.displacement_m[k];
+            const double mobilised = s.displacement_m > 0 ? 1 - std::exp(-j / s.displacement_m) : 1.0;
+            text += fmt::format("{:.5g},{:.5g},{:.5g},{:.5g}\n", 1e-3 * t.shear.normal_Pa, 1e3 * j,
+                                1e-3 * t.shear.shear_Pa[k], 1e-3 * strength * mobilised);
+        }
+        text += "\n\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+void write_soil(const SoilRequest& request) {
+    std::vector<PlateTest> tests;
+    for (const std::string& directory : request.run_directories) tests.push_back(read_plate(directory));
+    std::vector<double> z, p;
+    std::vector<ShearTest> shear;
+    for (const PlateTest& t : tests) z.push_back(t.sinkage_m), p.push_back(t.pressure_Pa), shear.push_back(t.shear);
+    const PressureSinkage pressure = fit_pressure_sinkage(z, p);
+    const ShearStrength strength = fit_shear_strength(shear);
+    std::string text = "name,value,unit\n";
+    text += fmt::format("pressure_modulus,{:.8g},Pa/m^n\n", pressure.modulus_Pa_mn);
+    text += fmt::format("pressure_exponent,{:.8g},-\n", pressure.exponent);
+    text += fmt::format("cohesion,{:.8g},Pa\n", strength.cohesion_Pa);
+    text += fmt::format("friction,{:.8g},-\n", strength.friction);
+    text += fmt::format("shear_displacement,{:.8g},m\n", strength.displacement_m);
+    write_text(request.directory + "/soil.csv", text);
+    write_text(request.directory + "/plate.csv", plate_table(tests, pressure));
+    write_text(request.directory + "/shear.csv", shear_table(tests, strength));
+    fmt::print("p = {:.4g} kPa (z/cm)^{:.3f}, c = {:.3g} kPa, tan φ = {:.3f}, K = {:.2f} mm\n",
+               1e-3 * pressure.modulus_Pa_mn * std::pow(0.01, pressure.exponent), pressure.exponent,
+               1e-3 * strength.cohesion_Pa, strength.friction, 1e3 * strength.displacement_m);
+}
+
+SoilParameters read_soil(const std::string& directory) {
+    const CsvTable table = read_csv(directory + "/soil.csv");
+    const auto find = [&](const char* name) {
+        for (const CsvRow& row : table.rows)
+            if (row.cells[table.require("name")] == name)
+                if (const auto value = parse_number(row.cells[table.require("value")])) return *value;
+        fail_input(fmt::format("{} holds no number {}. Make it with `ifedem soil`.", table.path, name));
+    };
+    return {{find("pressure_modulus"), find("pressure_exponent")},
+            {find("cohesion"), find("friction"), find("shear_displacement")}};
+}
+
+}  // namespace ifedem

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "traction/parametric_soil.hpp"
+
+namespace ifedem {
+
+struct SoilRequest {
+    std::vector<std::string> run_directories;  ///< of plates (wheel.shape = "plate") under several loads
+    std::string directory;
+};
+
+/// What plate tests say about the soil.
+struct SoilParameters {
+    PressureSinkage pressure;
+    ShearStrength shear;
+};
+
+/// Fits the parameters of the semi-empirical wheel and writes soil.csv (name,value,unit), plate.csv
+/// (pressure_kPa,sinkage_mm,fit_mm) and shear.csv (normal_kPa,displacement_mm,shear_kPa,fit_kPa).
+void write_soil(const SoilRequest& request);
+
+/// soil.csv of a directory.
+[[nodiscard]] SoilParameters read_soil(const std::string& directory);
+
+}  // namespace ifedem

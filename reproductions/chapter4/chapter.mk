@@ -1,0 +1,105 @@
+# Chapter 4 as a graph of files: bed → sunk tyre → travel (chapter 3's sweep.mk) → contact stress → checks, figures and
+# report. Included from the top level's directory:
+#   make -f reproductions/chapter4/chapter.mk reproduce
+CHAPTER := reproductions/chapter4
+SWEEP   := $(CHAPTER)/chapter.mk
+OUT     := build/runs/chapter4
+REPORT  := build/reports/chapter4
+CASE    := $(CHAPTER)/cases/tyre.toml
+COMMAND ?= make reproduce-chapter4
+
+# tyre-WHAT-sSLIP-rREALISATION; m5 is −5 %. A realisation is a packing seed and a phase of the tyre's columns.
+SLIPS := 22 7.5 37.5 55 1 m5
+MAIN  := $(foreach s,$(SLIPS),tyre-text-s$(s)-r1) $(foreach r,2 3 4 5 6 7 8,tyre-text-s22-r$(r))
+
+# What the text leaves open, one run each at 22 % beside the eight of the main campaign.
+VARIANTS := rolling1 wall0 unlevelled loaded-slowly zeta0.05 zeta0.5 surface15 surface25 absolute \
+            drawbarP0.1 drawbarP10 drawbarI0.1 drawbarI10 drawbarD0.1 drawbarD10 torqueP0.1 torqueP10
+sets_of_text          :=
+sets_of_rolling1      := --set contact.rolling_factor=1
+sets_of_wall0         := --set contact.consolidation_friction_wall=0
+sets_of_unlevelled    := --set bed.levelled_count=0
+sets_of_loaded_slowly := --set stages.load_ramp_s=0.8
+sets_of_zeta0.05      := --set contact.damping_ratio=0.05
+sets_of_zeta0.5       := --set contact.damping_ratio=0.5 --set time_step_s=1e-5
+sets_of_surface15     := --set wheel.surface_thickness_m=0.015
+sets_of_surface25     := --set wheel.surface_thickness_m=0.025
+sets_of_absolute      := --set wheel.damping_frame=absolute
+sets_of_drawbarP0.1   := --set control.drawbar.proportional_N_m=1e5
+sets_of_drawbarP10    := --set control.drawbar.proportional_N_m=1e7
+sets_of_drawbarI0.1   := --set control.drawbar.integral_N_m_s=1e3
+sets_of_drawbarI10    := --set control.drawbar.integral_N_m_s=1e5
+sets_of_drawbarD0.1   := --set control.drawbar.derivative_N_s_m=1e3
+sets_of_drawbarD10    := --set control.drawbar.derivative_N_s_m=1e5
+sets_of_torqueP0.1    := --set control.torque.proportional_Nm_rad=1e4
+sets_of_torqueP10     := --set control.torque.proportional_Nm_rad=1e6
+# The step, from the default down; the text's own is `dt1.25e6`.
+STEPS := dt2e5 dt1e5 dt5e6
+sets_of_dt2e5   := --set time_step_s=2e-5
+sets_of_dt1e5   := --set time_step_s=1e-5
+sets_of_dt5e6   := --set time_step_s=5e-6
+sets_of_dt1.25e6 := --set time_step_s=1.25e-6
+
+run_of = tyre-$(subst -,_,$(1))-s22-r1
+ifeq ($(SET),sensitivity)
+RUNS := $(foreach v,$(VARIANTS),$(call run_of,$(v)))
+else ifeq ($(SET),step)
+RUNS := $(foreach v,$(STEPS),$(call run_of,$(v)))
+else ifeq ($(SET),text-step)
+RUNS := $(call run_of,dt1.25e6)
+else
+RUNS := $(MAIN)
+endif
+
+.PHONY: reproduce runs report quick sensitivity step text-step
+reproduce:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
+	@$(MAKE) --no-print-directory -f $(SWEEP) report
+
+runs: sweep
+
+sensitivity step text-step:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs SET=$@
+	@$(MAKE) --no-print-directory -f $(SWEEP) table SET=$@
+
+include reproductions/chapter3/sweep.mk
+
+part = $(word $(2),$(subst -, ,$(1)))
+realisation_of = $(patsubst r%,%,$(call part,$(1),4))
+sets_of = --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) \
+          $(sets_of_$(call part,$(1),2))
+slip_of = --set travel.slip_percent=$(subst m,-,$(patsubst s%,%,$(call part,$(1),3)))
+# Variants differ in what their beds are made of: each has its own.
+bed_of  = bed-$(call part,$(1),2)-r$(call realisation_of,$(1))
+sunk_of = sunk-$(call part,$(1),2)-r$(call realisation_of,$(1))
+
+BEDS := $(sort $(foreach r,$(RUNS),$(call part,$(r),2)-s-r$(call realisation_of,$(r))))
+as_run = tyre-$(1)
+$(foreach b,$(BEDS),$(eval $(call bed_rule,$(call bed_of,$(call as_run,$(b))),$(CASE),$(call sets_of,$(call as_run,$(b))))))
+$(foreach b,$(BEDS),$(eval $(call sunk_rule,$(call sunk_of,$(call as_run,$(b))),$(CASE),$(call sets_of,$(call as_run,$(b))),$(call bed_of,$(call as_run,$(b))))))
+$(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(CASE),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
+
+travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))
+
+report: $(INPUTS)
+	@$(IFEDEM) stress $(fresh_runs) -o $(OUT)/stress
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress -o $(REPORT) \
+	  --title "Chapter 4: contact stress under a tyre" --command "$(COMMAND)"
+	@echo "report: $(REPORT)/index.html"
+	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress -o $(REPORT)/checks.csv
+	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
+
+table: $(INPUTS)
+	@mkdir -p $(REPORT)
+	@$(IFEDEM) metrics $(fresh_runs) -o $(REPORT)/$(SET).csv
+	@echo "table: $(REPORT)/$(SET).csv"
+
+QUICK := build/runs/quick4
+quick:
+	@mkdir -p $(QUICK)
+	@for s in -5 7.5 22 55; do \
+	  $(IFEDEM) run $(CHAPTER)/cases/quick.toml -o $(QUICK)/quick-s$$s --force --quiet --set travel.slip_percent=$$s || exit 1; done
+	@$(IFEDEM) stress $(QUICK)/quick-s* -o $(QUICK)/stress
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(QUICK)/quick-s* $(QUICK)/stress -o build/reports/quick4 \
+	  --title "Chapter 4, quick: the machinery, not the numbers" --command "make quick-chapter4"
+	@echo "report: build/reports/quick4/index.html"

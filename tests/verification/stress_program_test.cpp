@@ -1,0 +1,136 @@
+// Chapter 4's way through the program: a travel that averages contact forces, `stress`, `soil`.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "support/scratch.hpp"
+
+namespace ifedem {
+namespace {
+
+/// A smooth wheel on 500 discs: a second or two.
+constexpr const char* small_case = R"(name = "small"
+[bed]
+length_m = 0.5
+disc_count = 500
+levelled_count = 490
+[wheel]
+lug_pairs = 0
+load_N = 60
+[travel]
+slip_percent = 30
+start_x_m = 0.25
+distance_m = 0.02
+acceleration_time_s = 0.02
+[stages]
+consolidation_s = 0.2
+sinkage_s = 0.2
+[record]
+stress_segments = 1000
+stress_blocks = 4
+stress_from_x_m = 0.254
+stress_to_x_m = 0.266
+checkpoint_interval_s = 0
+)";
+
+int run_program(const std::string& arguments) {
+    const std::string quiet = std::string(IFEDEM_PROGRAM) + " " + arguments + " > /dev/null 2>&1";
+    const int status = std::system(quiet.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+struct SmallRun {
+    Scratch scratch;
+    SmallRun() { std::ofstream(scratch.file("case.toml")) << small_case; }
+    /// "run case.toml -o NAME" with its own stage cache.
+    [[nodiscard]] int run(const std::string& name, const std::string& more = "") const {
+        return run_program("run " + scratch.file("case.toml") + " -o " + scratch.file(name) + " --stages " +
+                           scratch.file("stages") + " --quiet " + more);
+    }
+};
+
+/// name → value of a measurements.csv.
+std::map<std::string, double> read_measures(const std::string& path) {
+    std::map<std::string, double> values;
+    std::istringstream lines(read_text(path));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "name,value,units,scatter,n,note");
+    while (std::getline(lines, line)) {
+        const auto comma = line.find(',');
+        values[line.substr(0, comma)] = std::strtod(line.c_str() + comma + 1, nullptr);
+    }
+    return values;
+}
+
+TEST(StressProgram, identities_hold_in_a_travel) {
+    const SmallRun small;
+    ASSERT_EQ(small.run("a"), 0);
+    ASSERT_EQ(run_program("stress " + small.scratch.file("a") + " -o " + small.scratch.file("out")), 0);
+    const auto m = read_measures(small.scratch.file("out/measurements.csv"));
+    EXPECT_LE(m.at("identity_horizontal"), 0.005);
+    EXPECT_LE(m.at("identity_vertical"), 0.005);
+    EXPECT_LE(m.at("identity_torque"), 0.005);
+    EXPECT_LE(m.at("identity_H"), 0.01);
+    EXPECT_LE(m.at("identity_vectors"), 0.002);
+    EXPECT_LE(m.at("identity_splines"), 1e-3);
+    EXPECT_LE(m.at("identity_quadrature"), 1e-6);
+    EXPECT_NEAR(m.at("load_N_s30"), 60, 40);  // a short window of a bouncing wheel
+    EXPECT_LT(m.at("entry_deg_s30"), 90);
+    EXPECT_GT(m.at("exit_deg_s30"), m.at("entry_deg_s30"));
+    for (const char* name : {"curves.csv", "angles.csv", "relative_peak.csv", "performance.csv", "load.csv"})
+        EXPECT_FALSE(read_text(small.scratch.file(std::string("out/") + name)).empty()) << name;
+}
+
+TEST(StressProgram, a_resumed_run_writes_the_same_stress) {
+    const SmallRun small;
+    ASSERT_EQ(small.run("a"), 0);
+    ASSERT_EQ(small.run("b", "--stop-at-step 13500"), 0);  // within the window
+    ASSERT_TRUE(std::filesystem::exists(small.scratch.file("b/checkpoint.h5")));
+    ASSERT_EQ(run_program("resume " + small.scratch.file("b") + " --stages " + small.scratch.file("stages")), 0);
+    for (const char* name : {"contact_stress.csv", "contact_blocks.csv", "contact_balance.csv"}) {
+        const std::string a = read_text(small.scratch.file(std::string("a/") + name));
+        EXPECT_GT(a.size(), 200U);
+        EXPECT_EQ(a, read_text(small.scratch.file(std::string("b/") + name))) << name;
+    }
+}
+
+TEST(StressProgram, refuses_a_run_without_contact_stress) {
+    const SmallRun small;
+    ASSERT_EQ(small.run("a", "--set record.stress_segments=0"), 0);
+    EXPECT_FALSE(std::filesystem::exists(small.scratch.file("a/contact_stress.csv")));
+    EXPECT_EQ(run_program("stress " + small.scratch.file("a") + " -o " + small.scratch.file("out")), 2);
+}
+
+// A plate sinks deeper under more load, does not turn, and resists being dragged with no more than its friction and the
+// sand in front of it can bear.
+TEST(StressProgram, plates_give_soil_parameters) {
+    const SmallRun small;
+    const std::string plate =
+        "--set wheel.shape=plate --set wheel.plate_length_m=0.08 --set record.stress_segments=0 "
+        "--set stages.load_ramp_s=0.15 --set travel.distance_m=0.01 --set wheel.load_N=";
+    std::string runs;
+    for (const char* load : {"20", "40", "80"}) {
+        ASSERT_EQ(small.run(load, plate + load), 0);
+        runs += small.scratch.file(load) + " ";
+    }
+    ASSERT_EQ(run_program("soil " + runs + "-o " + small.scratch.file("soil")), 0);
+    const std::string soil = read_text(small.scratch.file("soil/soil.csv"));
+    const auto value = [&](const std::string& name) {
+        return std::strtod(soil.c_str() + soil.find("\n" + name + ",") + name.size() + 2, nullptr);
+    };
+    EXPECT_GT(value("pressure_modulus"), 0);
+    EXPECT_GT(value("pressure_exponent"), 0);
+    EXPECT_GT(value("friction"), 0);
+    EXPECT_LT(value("friction"), 1);
+    ASSERT_EQ(small.run("a"), 0);
+    EXPECT_EQ(run_program("soil " + small.scratch.file("a") + " -o " + small.scratch.file("soil")), 2);
+}
+
+}  // namespace
+}  // namespace ifedem
