@@ -164,7 +164,7 @@ int run_program(int argc, char** argv) {
     SoilRequest soil;
     auto* plates = app.add_subcommand("soil", "soil parameters of the semi-empirical wheel from plate tests");
     plates->add_option("runs", soil.run_directories, "runs of plates under several loads")->required();
-    plates->add_option("-o,--output", soil.directory, "directory for soil.csv")->required();
+    plates->add_option("-o,--output", soil.directory, "directory for what comes out")->required();
     plates->callback([&] { write_soil(soil); });
     auto* follow = app.add_subcommand("watch", "overall progress of a set of runs");
     follow->add_option("runs", watch.directories, "run directories")->required();

@@ -11,6 +11,12 @@
 namespace ifedem {
 namespace {
 
+constexpr const char* modulus_name = "soil_pressure_modulus";
+constexpr const char* exponent_name = "soil_pressure_exponent";
+constexpr const char* cohesion_name = "soil_cohesion";
+constexpr const char* friction_name = "soil_friction";
+constexpr const char* displacement_name = "soil_shear_displacement";
+
 struct PlateTest {
     double pressure_Pa = 0, sinkage_m = 0;
     ShearTest shear;
@@ -67,13 +73,16 @@ void write_soil(const SoilRequest& request) {
     for (const PlateTest& t : tests) z.push_back(t.sinkage_m), p.push_back(t.pressure_Pa), shear.push_back(t.shear);
     const PressureSinkage pressure = fit_pressure_sinkage(z, p);
     const ShearStrength strength = fit_shear_strength(shear);
-    std::string text = "name,value,unit\n";
-    text += fmt::format("pressure_modulus,{:.8g},Pa/m^n\n", pressure.modulus_Pa_mn);
-    text += fmt::format("pressure_exponent,{:.8g},-\n", pressure.exponent);
-    text += fmt::format("cohesion,{:.8g},Pa\n", strength.cohesion_Pa);
-    text += fmt::format("friction,{:.8g},-\n", strength.friction);
-    text += fmt::format("shear_displacement,{:.8g},m\n", strength.displacement_m);
-    write_text(request.directory + "/soil.csv", text);
+    std::string text = csv_line({"name", "value", "units", "scatter", "n", "note"});
+    const auto add = [&](const char* name, double value, const char* units, const char* note) {
+        text += csv_line({name, fmt::format("{:.8g}", value), units, "", std::to_string(tests.size()), note});
+    };
+    add(modulus_name, pressure.modulus_Pa_mn, "Pa/m^n", "k of p = k z^n, plates pressed in slowly; n counts the loads");
+    add(exponent_name, pressure.exponent, "-", "n of p = k z^n");
+    add(cohesion_name, strength.cohesion_Pa, "Pa", "c, plates dragged");
+    add(friction_name, strength.friction, "-", "tan φ");
+    add(displacement_name, strength.displacement_m, "m", "K of Janosi & Hanamoto");
+    write_text(request.directory + "/measurements.csv", text);
     write_text(request.directory + "/plate.csv", plate_table(tests, pressure));
     write_text(request.directory + "/shear.csv", shear_table(tests, strength));
     fmt::print("p = {:.4g} kPa (z/cm)^{:.3f}, c = {:.3g} kPa, tan φ = {:.3f}, K = {:.2f} mm\n",
@@ -82,15 +91,15 @@ void write_soil(const SoilRequest& request) {
 }
 
 SoilParameters read_soil(const std::string& directory) {
-    const CsvTable table = read_csv(directory + "/soil.csv");
+    const CsvTable table = read_csv(directory + "/measurements.csv");
     const auto find = [&](const char* name) {
         for (const CsvRow& row : table.rows)
             if (row.cells[table.require("name")] == name)
                 if (const auto value = parse_number(row.cells[table.require("value")])) return *value;
         fail_input(fmt::format("{} holds no number {}. Make it with `ifedem soil`.", table.path, name));
     };
-    return {{find("pressure_modulus"), find("pressure_exponent")},
-            {find("cohesion"), find("friction"), find("shear_displacement")}};
+    return {{find(modulus_name), find(exponent_name)},
+            {find(cohesion_name), find(friction_name), find(displacement_name)}};
 }
 
 }  // namespace ifedem

@@ -17,11 +17,11 @@ struct SoilParameters {
     ShearStrength shear;
 };
 
-/// Fits the parameters of the semi-empirical wheel and writes soil.csv (name,value,unit), plate.csv
+/// Fits the parameters of the semi-empirical wheel and writes measurements.csv, plate.csv
 /// (pressure_kPa,sinkage_mm,fit_mm) and shear.csv (normal_kPa,displacement_mm,shear_kPa,fit_kPa).
 void write_soil(const SoilRequest& request);
 
-/// soil.csv of a directory.
+/// Back from a directory's measurements.csv.
 [[nodiscard]] SoilParameters read_soil(const std::string& directory);
 
 }  // namespace ifedem

@@ -7,7 +7,7 @@ namespace ifedem {
 struct StressRequest {
     std::vector<std::string> run_directories;
     std::string directory;       ///< for what comes out
-    std::string soil_directory;  ///< with soil.csv of `ifedem soil`; "": no semi-empirical wheel
+    std::string soil_directory;  ///< of `ifedem soil`; "": no semi-empirical wheel
 };
 
 /// Contact stress of runs (chapter 4): groups them by slip, realisations together, and writes

@@ -40,6 +40,10 @@ sets_of_dt1e5   := --set time_step_s=1e-5
 sets_of_dt5e6   := --set time_step_s=5e-6
 sets_of_dt1.25e6 := --set time_step_s=1.25e-6
 
+# Plates on the same bed, N on 0.15 × 0.17 m: 5, 10, 20 and 40 kPa.
+PLATES := plate-127.5N plate-255N plate-510N plate-1020N
+PLATE_CASE := $(CHAPTER)/cases/plate.toml
+
 run_of = tyre-$(subst -,_,$(1))-s22-r1
 ifeq ($(SET),sensitivity)
 RUNS := $(foreach v,$(VARIANTS),$(call run_of,$(v)))
@@ -79,14 +83,22 @@ $(foreach b,$(BEDS),$(eval $(call bed_rule,$(call bed_of,$(call as_run,$(b))),$(
 $(foreach b,$(BEDS),$(eval $(call sunk_rule,$(call sunk_of,$(call as_run,$(b))),$(CASE),$(call sets_of,$(call as_run,$(b))),$(call bed_of,$(call as_run,$(b))))))
 $(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(CASE),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
 
+load_of = --set wheel.load_N=$(patsubst plate-%N,%,$(1)) --set bed.seed=1
+ifeq ($(SET),)
+$(foreach p,$(PLATES),$(eval $(call sunk_rule,sunk-$(p),$(PLATE_CASE),$(call load_of,$(p)),bed-text-r1)))
+$(foreach p,$(PLATES),$(eval $(call travel_rule,$(p),$(PLATE_CASE),$(call load_of,$(p)),sunk-$(p))))
+travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(PLATES)))
+endif
+
 travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))
 
 report: $(INPUTS)
-	@$(IFEDEM) stress $(fresh_runs) -o $(OUT)/stress
-	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress -o $(REPORT) \
+	@$(IFEDEM) soil $(addprefix $(OUT)/,$(PLATES)) -o $(OUT)/soil
+	@$(IFEDEM) stress $(fresh_runs) --soil $(OUT)/soil -o $(OUT)/stress
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress $(OUT)/soil -o $(REPORT) \
 	  --title "Chapter 4: contact stress under a tyre" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
-	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress -o $(REPORT)/checks.csv
+	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress $(OUT)/soil -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
 
 table: $(INPUTS)
@@ -98,8 +110,8 @@ QUICK := build/runs/quick4
 quick:
 	@mkdir -p $(QUICK)
 	@for s in -5 7.5 22 55; do \
-	  $(IFEDEM) run $(CHAPTER)/cases/quick.toml -o $(QUICK)/quick-s$$s --force --quiet --set travel.slip_percent=$$s || exit 1; done
-	@$(IFEDEM) stress $(QUICK)/quick-s* -o $(QUICK)/stress
-	@$(IFEDEM) report $(CHAPTER)/claims.csv $(QUICK)/quick-s* $(QUICK)/stress -o build/reports/quick4 \
+	  $(IFEDEM) run $(CHAPTER)/cases/short.toml -o $(QUICK)/short-s$$s --force --quiet --set travel.slip_percent=$$s || exit 1; done
+	@$(IFEDEM) stress $(QUICK)/short-s* -o $(QUICK)/stress
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(QUICK)/short-s* $(QUICK)/stress -o build/reports/quick4 \
 	  --title "Chapter 4, quick: the machinery, not the numbers" --command "make quick-chapter4"
 	@echo "report: build/reports/quick4/index.html"

@@ -120,14 +120,11 @@ TEST(StressProgram, plates_give_soil_parameters) {
         runs += small.scratch.file(load) + " ";
     }
     ASSERT_EQ(run_program("soil " + runs + "-o " + small.scratch.file("soil")), 0);
-    const std::string soil = read_text(small.scratch.file("soil/soil.csv"));
-    const auto value = [&](const std::string& name) {
-        return std::strtod(soil.c_str() + soil.find("\n" + name + ",") + name.size() + 2, nullptr);
-    };
-    EXPECT_GT(value("pressure_modulus"), 0);
-    EXPECT_GT(value("pressure_exponent"), 0);
-    EXPECT_GT(value("friction"), 0);
-    EXPECT_LT(value("friction"), 1);
+    const auto soil = read_measures(small.scratch.file("soil/measurements.csv"));
+    EXPECT_GT(soil.at("soil_pressure_modulus"), 0);
+    EXPECT_GT(soil.at("soil_pressure_exponent"), 0);
+    EXPECT_GT(soil.at("soil_friction"), 0);
+    EXPECT_LT(soil.at("soil_friction"), 1);
     ASSERT_EQ(small.run("a"), 0);
     EXPECT_EQ(run_program("soil " + small.scratch.file("a") + " -o " + small.scratch.file("soil")), 2);
 }
