@@ -111,6 +111,27 @@ TEST_P(Vacuum, damping_of_absolute_velocity_is_a_false_drag) {
 
 INSTANTIATE_TEST_SUITE_P(Bodies, Vacuum, testing::Values(WheelBody::rigid_rim, WheelBody::elastic));
 
+// stages.load_ramp_s: the load grows in proportion to time, so a wheel in free fall gains W t²/(2 m T).
+TEST(LoadRamp, is_linear_and_ends_at_the_load) {
+    Case c;
+    c.gravity_m_s2 = 0;
+    c.wheel.body = WheelBody::rigid;
+    c.wheel.load_N = 50;
+    c.stages.load_ramp_s = 0.004;
+    World w;
+    w.scene = make_scene(c, Stage::sinkage);
+    w.state = make_state({make_disc({0.01, 0.01}, 0.003, 0.0075)});
+    w.state.wheel = place_wheel(w.scene.wheel, {0.5, 0.5});
+    w.state.progress.stage = Stage::sinkage;
+    w.work = make_workspace(w.scene, w.state);
+    const double m = w.scene.wheel.body_mass_kg, dt = c.time_step_s;
+    const auto speed = [&] { return -w.state.wheel.rim.velocity_m_s.y; };
+    advance(w, 100);  // the whole ramp: steps 0 … 99 of 0.004 s
+    EXPECT_NEAR(speed(), 50 * (0.5 * 99 * dt) / m, 1e-12);
+    advance(w, 50);
+    EXPECT_NEAR(speed(), 50 * (0.5 * 99 * dt + 50 * dt) / m, 1e-12);
+}
+
 // Whatever the nodes do, damping relative to the rigid motion adds no force and no moment, and takes energy.
 TEST(Damping, relative_to_the_rigid_motion_balances) {
     Random random{3};
