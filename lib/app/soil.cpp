@@ -51,6 +51,7 @@ std::string plate_table(const std::vector<PlateTest>& tests, const PressureSinka
 std::string shear_table(const std::vector<PlateTest>& tests, const ShearStrength& s) {
     std::string text = "normal_kPa,displacement_mm,shear_kPa,fit_kPa\n";
     for (const PlateTest& t : tests) {
+        if (&t != &tests.front()) text += "\n\n";  // gnuplot: an index a plate
         const double strength = s.cohesion_Pa + s.friction * t.shear.normal_Pa;
         for (std::size_t k = 0; k < t.shear.shear_Pa.size(); ++k) {
             const double j = t.shear.displacement_m[k];
@@ -58,7 +59,6 @@ std::string shear_table(const std::vector<PlateTest>& tests, const ShearStrength
             text += fmt::format("{:.5g},{:.5g},{:.5g},{:.5g}\n", 1e-3 * t.shear.normal_Pa, 1e3 * j,
                                 1e-3 * t.shear.shear_Pa[k], 1e-3 * strength * mobilised);
         }
-        text += "\n\n";
     }
     return text;
 }

@@ -23,6 +23,7 @@ constexpr double degrees = 180 / pi;
 std::string curves_table(const std::vector<SlipGroup>& groups) {
     std::string text = "slip_percent,theta_deg,radial_kPa,circumferential_kPa,normal_kPa,tangential_kPa\n";
     for (const SlipGroup& g : groups) {
+        if (&g != &groups.front()) text += "\n\n";  // gnuplot: an index a slip
         const double half = kernel_half_width_rad(g.run.front().c);
         const double spacing = g.radial.angle_rad[1] - g.radial.angle_rad[0];
         const auto smoothed = [&](const std::vector<double>& y) { return smooth(y, spacing, half); };
@@ -31,7 +32,6 @@ std::string curves_table(const std::vector<SlipGroup>& groups) {
         for (std::size_t k = 0; k < a.size(); ++k)
             text += fmt::format("{:g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", g.slip_percent,
                                 g.radial.angle_rad[k] * degrees, 1e-3 * a[k], 1e-3 * b[k], 1e-3 * c[k], 1e-3 * d[k]);
-        text += "\n\n";  // gnuplot: an index a slip
     }
     return text;
 }

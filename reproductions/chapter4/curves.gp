@@ -6,7 +6,7 @@ array hues[6] = ["#56b4e9", "#0072b2", "#009e73", "#e69f00", "#d55e00", "#882255
 hue(k) = hues[(k % 6) + 1]
 stats data using 2 every ::1 nooutput
 blocks = STATS_blocks
-slip(k) = real(system(sprintf("awk -F, -v k=%d 'NF>2 && $1+0==$1 {if ($1!=last) {n++; last=$1} if (n==k+1) {print $1; exit}}' '%s'", k, data)))
+slip(k) = system(sprintf("awk -F, -v k=%d '$1+0==$1 && $1!=last {last=$1; if (n++==k) print $1}' '%s'", k, data))
 set xrange [40:130]
 set xtics 10
 set xlabel "rotation angle θ [deg], bottom dead centre at 90"
@@ -14,4 +14,4 @@ set ylabel ylabel
 set key top right samplen 1.6 spacing 1.1 title "slip" textcolor rgb ink
 set arrow 1 from 90, graph 0 to 90, graph 1 nohead linewidth 0.8 dashtype 2 linecolor rgb muted
 set xzeroaxis linecolor rgb muted linewidth 0.8
-plot for [k=0:blocks-1] data index k using 2:c with lines linewidth 1.5 linecolor rgb hue(k) title sprintf("%g %%", slip(k))
+plot for [k=0:blocks-1] data index k using 2:c with lines linewidth 1.5 linecolor rgb hue(k) title slip(k)." %"
