@@ -16,6 +16,7 @@
 #include "app/stress.hpp"
 #include "app/watch.hpp"
 #include "check/check.hpp"
+#include "check/effects.hpp"
 #include "check/report.hpp"
 #include "record/checkpoint.hpp"
 #include "record/compare.hpp"
@@ -106,6 +107,20 @@ void add_check_and_report(CLI::App& app, CheckArguments& a, int& code) {
     report->callback([&] { write_report(a.report); });
 }
 
+struct EffectsArguments {
+    std::vector<std::string> defaults, variants;
+    std::string output;
+};
+
+void add_effects(CLI::App& app, EffectsArguments& a) {
+    auto* effects =
+        app.add_subcommand("effects", "compare variants of a case with its default, realisation by realisation");
+    effects->add_option("--defaults", a.defaults, "run directories of the default")->required();
+    effects->add_option("--variants", a.variants, "run directories, each named WHAT-…")->required();
+    effects->add_option("-o,--output", a.output, "directory for effects.csv and measurements.csv")->required();
+    effects->callback([&] { write_effects(a.defaults, a.variants, a.output); });
+}
+
 struct PictureArguments {
     std::string run, output;
     long frame = -1;
@@ -144,6 +159,8 @@ int run_program(int argc, char** argv) {
     add_check_and_report(app, check, code);
     PictureArguments picture;
     add_picture(app, picture);
+    EffectsArguments effects;
+    add_effects(app, effects);
     app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
     std::string checkpoint_a, checkpoint_b;
     auto* compare = app.add_subcommand("compare", "the first difference between two checkpoints");

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "check/csv.hpp"
+#include "check/effects.hpp"
 #include "core/error.hpp"
 
 namespace ifedem {
@@ -37,6 +38,7 @@ void read_stiffness(const std::filesystem::path& directory, Campaign& campaign) 
 
 void read_measurements(const std::filesystem::path& directory, Campaign& campaign) {
     const CsvTable table = read_csv((directory / "measurements.csv").string());
+    const auto uncertainty = table.find("uncertainty");
     std::vector<Measurement> rows;
     for (const auto& row : table.rows) {
         const double n = cell_number(table, row, "n");
@@ -45,7 +47,8 @@ void read_measurements(const std::filesystem::path& directory, Campaign& campaig
         rows.push_back({row.cells[table.require("name")], cell_number(table, row, "value"),
                         row.cells[table.require("units")],
                         row.cells[table.require("scatter")].empty() ? 0 : cell_number(table, row, "scatter"),
-                        static_cast<std::size_t>(n), row.cells[table.require("note")]});
+                        static_cast<std::size_t>(n), row.cells[table.require("note")],
+                        uncertainty ? parse_number(row.cells[*uncertainty]) : std::nullopt});
     }
     campaign.measurements.insert(campaign.measurements.end(), rows.begin(), rows.end());
 }
@@ -125,6 +128,10 @@ void read_directory(const std::string& name, Campaign& campaign) {
             "{}: neither case.toml nor stiffness_summary.csv nor measurements.csv is there. Give run directories.",
             name));
     if (is_measured) read_measurements(directory, campaign);
+    if (std::filesystem::exists(directory / "effects.csv")) {
+        const auto effects = read_effects((directory / "effects.csv").string());
+        campaign.effects.insert(campaign.effects.end(), effects.begin(), effects.end());
+    }
     if (is_stiffness) read_stiffness(directory, campaign);
     if (is_run) campaign.runs.push_back(measure_run(read_run(name)));
 }

@@ -25,7 +25,8 @@ struct StiffnessSummary {
 };
 
 /// One line of a directory's measurements.csv: a quantity that a test or a tool measured, its standard deviation over
-/// n realisations, and a word on how.
+/// n realisations, and a word on how. A tool that knows its U better than scatter and n tell gives it in a column
+/// `uncertainty`.
 struct Measurement {
     std::string name;
     double value = 0;
@@ -33,6 +34,22 @@ struct Measurement {
     double scatter = 0;
     std::size_t n = 1;
     std::string note;
+    std::optional<double> uncertainty;
+};
+
+/// What a variation of one input does to one metric under one condition, against the default's same realisations.
+struct Effect {
+    std::string variant;
+    std::string changes;  ///< "contact.damping_ratio 0.2 → 0.1"
+    std::string gravity;
+    double load_N = 0;
+    double slip_percent = 0;
+    std::size_t n = 0;
+    std::string metric;
+    double before = 0, before_uncertainty = 0;  ///< the default's mean and U over these realisations
+    double after = 0, after_uncertainty = 0;
+    double effect = 0;
+    double half_width = 0;  ///< 95 %; infinite if nothing tells the scatter
 };
 
 /// A run with its window means.
@@ -49,6 +66,7 @@ struct Campaign {
     std::vector<StiffnessSummary> stiffness;
     std::vector<StiffnessPoint> stiffness_points;
     std::vector<Measurement> measurements;
+    std::vector<Effect> effects;           ///< of a directory with effects.csv
     std::vector<std::string> directories;  ///< as given; figures may draw files of theirs
     std::vector<std::string> unusable;     ///< directories without a finished run, with the reason
 };

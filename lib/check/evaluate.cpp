@@ -139,14 +139,18 @@ std::variant<Quantity, Missing> measured(const Judge& j) {
     const std::string name = without_prefix(j.claim.metric);
     const Measurement* m = find_measurement(j.campaign, name);
     if (m == nullptr) return Missing{fmt::format("no measurements.csv holds {}", name)};
-    if (m->units != j.out.ledger.units)
+    const bool is_against_ledger = !j.claim.reference_id.empty();
+    if (is_against_ledger && m->units != j.out.ledger.units)
         return Missing{
             fmt::format("{} was measured in {} but the ledger row is in {}", name, m->units, j.out.ledger.units)};
     const bool is_exact = j.out.ledger.kind == "exact";
     const double reading =
         is_exact ? 0 : reading_uncertainty(j.out.reference_text, j.out.units, j.claim.first_gravity());
     Quantity q{m->value, m->scatter, 0, m->n, m->note};
-    if (m->n > 1)
+    j.out.units = m->units;
+    if (m->uncertainty)
+        q.uncertainty = std::hypot(*m->uncertainty, is_against_ledger ? reading : 0);
+    else if (m->n > 1)
         q.uncertainty = prediction_uncertainty(m->scatter, static_cast<double>(m->n - 1), m->n, reading);
     else if (!j.claim.tolerance)
         q.uncertainty = std::numeric_limits<double>::infinity();

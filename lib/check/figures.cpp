@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "check/csv.hpp"
+#include "check/effects.hpp"
 #include "check/figure_data.hpp"
 #include "check/gnuplot.hpp"
 #include "core/error.hpp"
@@ -88,6 +89,10 @@ std::optional<std::string> line_data(const FigureRow& row, const Campaign& campa
         if (data) name_curves(*data, curves, variables);
         return data;
     }
+    if (row.data == "effects") {
+        const CurveName name = parse_curve(row.series);
+        return effects_data(campaign.effects, name.curve.gravity, name.slip_percent);
+    }
     if (row.data == "stiffness") return stiffness_data(campaign);
     if (row.data == "agreement") {
         variables.emplace_back("verdicts", verdicts_present(outcomes));
@@ -98,9 +103,10 @@ std::optional<std::string> line_data(const FigureRow& row, const Campaign& campa
         return path.empty() ? std::nullopt : std::optional(read_text(path));
     }
     if (row.data != "series")
-        fail_input(fmt::format(
-            "figures.csv: data '{}' of {} is not known. Use slip, series, snapshot, stiffness, file or agreement.",
-            row.data, row.name));
+        fail_input(
+            fmt::format("figures.csv: data '{}' of {} is not known. Use slip, series, snapshot, stiffness, effects, "
+                        "file or agreement.",
+                        row.data, row.name));
     const auto* run = find_run(campaign, parse_curve(row.series));
     if (!run) return std::nullopt;
     const auto& m = run->metrics;

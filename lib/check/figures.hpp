@@ -24,6 +24,7 @@ struct ReportPaths {
 ///   data "snapshot": the picture named `script` that a run of "gravity load slip" left in its directory
 ///   data "file": the CSV (or .png) at the path `series` in the first directory of the report that holds it; `metric`
 ///   names the directory (its last part) where several do
+///   data "effects": what variations do to H, P_d, R and z under "gravity load slip"
 ///   data "stiffness": load against deflection;   data "agreement": error over tolerance of all numbers
 [[nodiscard]] std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campaign,
                                                const std::vector<Outcome>& outcomes);

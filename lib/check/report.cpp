@@ -43,6 +43,7 @@ Document compose(const ReportRequest& request, const CheckResult& result, const 
                   figures_section(figures),
                   slips_section(campaign),
                   verdicts_section(outcomes),
+                  effects_section(outcomes, campaign),
                   measurements_section(campaign),
                   choices_section(paths.chapter + "/choices.csv", campaign),
                   balances_section(campaign),

@@ -160,18 +160,20 @@ Section slips_section(const Campaign& campaign) {
 
 Section measurements_section(const Campaign& campaign) {
     Section s{"measurements", "Measured otherwise", {}};
-    if (campaign.measurements.empty()) return s;
     Table t;
     t.caption = "Numbers that tests and tools measured; scatter is the standard deviation over n realisations.";
     t.style = "cards";
     t.header = {"Name", "Value", "Units", "Scatter", "n", "Note"};
-    for (const auto& m : campaign.measurements)
+    for (const auto& m : campaign.measurements) {
+        if (m.name.find(':') != std::string::npos) continue;  // an effect: it has its own table
         t.rows.push_back({{m.name, "id"},
                           {format_number(m.value), "num"},
                           {m.units, ""},
                           {m.n > 1 ? format_number(m.scatter) : "–", "num"},
                           {std::to_string(m.n), "num"},
                           {m.note, "small"}});
+    }
+    if (t.rows.empty()) return s;
     s.blocks.emplace_back(std::move(t));
     return s;
 }

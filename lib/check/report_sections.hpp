@@ -15,6 +15,8 @@ namespace ifedem {
 [[nodiscard]] Section figures_section(const std::vector<Figure>& figures);
 [[nodiscard]] Section slips_section(const Campaign& campaign);
 [[nodiscard]] Section verdicts_section(const std::vector<Outcome>& outcomes);
+/// What variations of the choices do, and readings of the text side by side where a variant has several realisations.
+[[nodiscard]] Section effects_section(const std::vector<Outcome>& outcomes, const Campaign& campaign);
 [[nodiscard]] Section measurements_section(const Campaign& campaign);
 /// `choices_path`: key,value,text_says,reason,sensitivity; the value that the runs used stands beside.
 [[nodiscard]] Section choices_section(const std::string& choices_path, const Campaign& campaign);

@@ -20,7 +20,7 @@ RUNS := $(call slips_of,B3-earth-170N) $(call more_of,B3-earth-170N-s60,2 3 4 5 
         $(foreach w,B6-earth-170N B6-mars-64.4N B3-earth-100N B3-earth-50N,$(call more_of,$(w)-s60,2 3)) \
         $(foreach l,$(wordlist 2,5,$(LOADS)),$(foreach w,B3 B6,$(call slips_of,$(w)-earth-$(l)N)))
 
-.PHONY: reproduce runs report quick
+.PHONY: reproduce runs report quick sensitivity
 
 # Plain commands, so that a signal to make reaches the sweep. Whatever failed there is told, and the report is written.
 reproduce:
@@ -52,11 +52,17 @@ $(OUT)/stiffness/stiffness_summary.csv: $(INPUTS)
 	@exec > /dev/null 2> $(OUT)/logs/stiffness.log; \
 	exec $(IFEDEM) stiffness $(CHAPTER)/cases/B3-earth.toml $(CHAPTER)/cases/B6-earth.toml -o $(OUT)/stiffness
 
+# What the sensitivity sweep found, if it was run.
+SENSITIVITY := $(patsubst %/effects.csv,%,$(wildcard build/runs/chapter3-sensitivity/effects.csv))
+
+sensitivity:
+	@$(MAKE) --no-print-directory -f $(CHAPTER)/sensitivity.mk sensitivity
+
 report: $(INPUTS)
-	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness -o $(REPORT) \
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(SENSITIVITY) -o $(REPORT) \
 	  --title "Chapter 3: an elastic rover wheel on sand" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
-	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness -o $(REPORT)/checks.csv
+	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(SENSITIVITY) -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
 
 quick:
