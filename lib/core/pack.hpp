@@ -5,6 +5,8 @@
 // everything is inlined by force, since a shared out-of-line copy could be taken from the unit with the newest
 // instructions.
 #define IFEDEM_INLINE [[gnu::always_inline]] inline
+// How wide vectors are passed to functions is no matter where none is called.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -41,6 +43,7 @@ struct Pack {
     IFEDEM_INLINE void store(double* p) const { __builtin_memcpy(p, &v, sizeof v); }
     IFEDEM_INLINE friend Pack operator+(Pack a, Pack b) { return {FromRaw{}, a.v + b.v}; }
     IFEDEM_INLINE friend Pack operator-(Pack a, Pack b) { return {FromRaw{}, a.v - b.v}; }
+    IFEDEM_INLINE friend Pack operator-(Pack a) { return {FromRaw{}, -a.v}; }
     IFEDEM_INLINE friend Pack operator*(Pack a, Pack b) { return {FromRaw{}, a.v * b.v}; }
     IFEDEM_INLINE friend Pack operator/(Pack a, Pack b) { return {FromRaw{}, a.v / b.v}; }
     IFEDEM_INLINE friend Pack min_of(Pack a, Pack b) { return {FromRaw{}, a.v < b.v ? a.v : b.v}; }

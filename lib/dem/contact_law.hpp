@@ -42,18 +42,18 @@ IFEDEM_INLINE ContactForces<V> contact_forces(const ContactConstants& k, V overl
     const V normal = select_positive(overlap_m, pushing);
     const V cap = k.friction * max_of(normal, V(0.0));
     const V spring_cap = cap * k.inverse_tangential_stiffness_m_N;
-    const V spring = max_of(V(0.0) - spring_cap, min_of(spring_cap, old_spring_m + sliding_m_s * step_s));
+    const V spring = max_of(-spring_cap, min_of(spring_cap, old_spring_m + sliding_m_s * step_s));
     const V trial =
         k.tangential_stiffness_N_m * spring + (k.damping_ratio_of_ratios * normal_damping_Ns_m) * sliding_m_s;
-    const V tangential = max_of(V(0.0) - cap, min_of(cap, trial));
+    const V tangential = max_of(-cap, min_of(cap, trial));
     return {normal, tangential, spring, (k.rolling_chords * chord_m) * elastic};
 }
 
 /// Chord of two circles whose centres stand at `distance`, times that distance, squared; ≤ 0 if they do not cross.
 template <class V>
-IFEDEM_INLINE V chord_product(V distance_m, V overlap_m, V radius_i_m, V radius_j_m) {
+IFEDEM_INLINE V chord_product(V distance_m, V distance2_m2, V overlap_m, V radius_i_m, V radius_j_m) {
     const V difference = radius_i_m - radius_j_m;
-    return (overlap_m * ((radius_i_m + radius_j_m) + distance_m)) * (distance_m * distance_m - difference * difference);
+    return (overlap_m * ((radius_i_m + radius_j_m) + distance_m)) * (distance2_m2 - difference * difference);
 }
 
 }  // namespace ifedem

@@ -8,9 +8,10 @@
 namespace ifedem {
 
 /// Force on a disc as the pair loop adds it up: 32 bytes.
-struct DiscForce {
-    double x_N = 0, y_N = 0;
-    double moment_Nm = 0;         ///< of the tangential forces, counter-clockwise
+struct alignas(32) DiscForce {
+    double x_N = 0;
+    double turning_N = 0;  ///< moment of the tangential forces over the radius, counter-clockwise
+    double y_N = 0;
     double rolling_limit_Nm = 0;  ///< Σ of Eq 2.18 over the disc's contacts, ≥ 0
 };
 
@@ -51,7 +52,7 @@ struct DemWorkspace {
     std::vector<std::uint32_t> i, j;            ///< list positions
     std::vector<std::uint32_t> slot_i, slot_j;  ///< force slots
     std::vector<double> damping_Ns_m;
-    std::vector<double> rolling_Nm;  ///< of DemConstants::rolling_springs, else empty
+    std::vector<double> rolling_N;  ///< of DemConstants::rolling_springs, moment over reduced radius; else empty
     std::vector<Merge> merge;
     std::vector<DiscForce> force;           ///< all blocks' slots
     std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
@@ -65,7 +66,7 @@ struct DemWorkspace {
     std::vector<WallCandidate> outer_wall;
     // Scratch of a refresh.
     std::vector<std::uint32_t> next_inner;
-    std::vector<double> next_spring_m, next_rolling_Nm;
+    std::vector<double> next_spring_m, next_rolling_N;
     std::vector<BoundaryContact> next_wall;
     bool refresh_inner = true;
     bool rebuild_outer = true;

@@ -12,7 +12,7 @@ namespace {
 
 void add_force(DiscForce& to, const DiscForce& f) {
     to.x_N += f.x_N, to.y_N += f.y_N;
-    to.moment_Nm += f.moment_Nm, to.rolling_limit_Nm += f.rolling_limit_Nm;
+    to.turning_N += f.turning_N, to.rolling_limit_Nm += f.rolling_limit_Nm;
 }
 
 void add_walls(const DemConstants& k, const Block& block, State& state, DemWorkspace& work, double spring_step_s) {
@@ -38,7 +38,7 @@ void add_block_forces(const DemConstants& k, const Block& block, State& state, D
     batch.slot_i = work.slot_i.data(), batch.slot_j = work.slot_j.data();
     batch.damping_Ns_m = work.damping_Ns_m.data();
     batch.spring_m = state.pairs.tangential_m.data();
-    batch.rolling_Nm = k.rolling_springs ? work.rolling_Nm.data() : nullptr;
+    batch.rolling_N = k.rolling_springs ? work.rolling_N.data() : nullptr;
     batch.force = work.force.data();
     batch.begin = block.pair_begin, batch.end = block.pair_end;
     batch.spring_step_s = spring_step_s;
@@ -88,18 +88,23 @@ BoundaryForce boundary_force(const ContactConstants& k, double damping_ratio, co
     out.overlap_m = (disc.radius_m + opposite_radius_m) - centre_distance_m;
     if (out.overlap_m <= 0) return out;
     // A straight surface is the limit of a large circle: its chord is that of the disc cut by the line.
-    const double chord =
-        opposite_radius_m > 0
-            ? root(max_of(chord_product(centre_distance_m, out.overlap_m, disc.radius_m, opposite_radius_m), 0.0)) /
-                  centre_distance_m
-            : 2.0 * root(max_of(out.overlap_m * (2.0 * disc.radius_m - out.overlap_m), 0.0));
-    const double arm = opposite_radius_m > 0 ? disc.radius_m - 0.5 * out.overlap_m : centre_distance_m;
+    const double chord = opposite_radius_m > 0
+                             ? root(max_of(chord_product(centre_distance_m, centre_distance_m * centre_distance_m,
+                                                         out.overlap_m, disc.radius_m, opposite_radius_m),
+                                           0.0)) /
+                                   centre_distance_m
+                             : 2.0 * root(max_of(out.overlap_m * (2.0 * disc.radius_m - out.overlap_m), 0.0));
+    // The contact point divides the distance to another disc as the radii do; on a straight surface it is the foot.
+    const double lever =
+        centre_distance_m / (opposite_radius_m > 0 ? disc.radius_m + opposite_radius_m : disc.radius_m);
+    const double arm = lever * disc.radius_m;
     const Vec2 tangent{-normal.y, normal.x};
     const Vec2 u = Vec2{disc.vx_m_s, disc.vy_m_s} - surface_velocity_m_s;
     const double damping = dashpot_Ns_m(damping_ratio, k.normal_stiffness_N_m, 1.0 / disc.inverse_mass_1_kg);
     const auto f = contact_forces(k, out.overlap_m, dot(u, normal), dot(u, tangent) + disc.omega_rad_s * arm, damping,
                                   old_spring_m, spring_step_s, chord);
     out.force_N = Vec2{0, 0} - (f.normal_N * normal + f.tangential_N * tangent);
+    out.turning_N = -f.tangential_N * lever;
     out.moment_Nm = -f.tangential_N * arm;
     out.rolling_limit_Nm = f.rolling_limit_Nm;
     out.tangential_spring_m = f.tangential_spring_m;

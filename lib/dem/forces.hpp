@@ -22,11 +22,12 @@ void add_forces(const DemConstants& k, State& state, DemWorkspace& work, double 
 struct BoundaryForce {
     Vec2 force_N;
     double moment_Nm = 0;
+    double turning_N = 0;  ///< moment over the radius
     double rolling_limit_Nm = 0;
     double tangential_spring_m = 0;
     double overlap_m = 0;
     double normal_N = 0, tangential_N = 0, arm_m = 0;  ///< for the energy account
-    [[nodiscard]] DiscForce on_disc() const { return {force_N.x, force_N.y, moment_Nm, rolling_limit_Nm}; }
+    [[nodiscard]] DiscForce on_disc() const { return {force_N.x, turning_N, force_N.y, rolling_limit_Nm}; }
 };
 /// `opposite_radius_m` is 0 for a straight surface. The dashpot takes the disc's mass alone.
 [[nodiscard]] BoundaryForce boundary_force(const ContactConstants& k, double damping_ratio, const Disc& disc,

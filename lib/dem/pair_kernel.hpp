@@ -14,7 +14,7 @@ struct PairBatch {
     const std::uint32_t *i = nullptr, *j = nullptr, *slot_i = nullptr, *slot_j = nullptr;
     const double* damping_Ns_m = nullptr;
     double* spring_m = nullptr;
-    double* rolling_Nm = nullptr;  ///< nullptr: Eq 2.18
+    double* rolling_N = nullptr;  ///< nullptr: Eq 2.18
     DiscForce* force = nullptr;
     std::uint32_t begin = 0, end = 0;
     double spring_step_s = 0;
@@ -30,237 +30,258 @@ void add_pairs_avx512(const ContactConstants& k, const PairBatch& batch);
 /// Rolling resistance between discs: Eq 2.18, or other codes' spring (DemConstants::rolling_springs).
 enum class PairRolling { chord, spring };
 
-/// What a pair's law needs of one disc.
+/// What a pair's law needs of its discs i and j.
 template <class V>
-struct PairSide {
-    V x, y, vx, vy, omega, radius;
+struct PairSides {
+    V x, y, vx, vy;  ///< of i less those of j
+    V omega_i, radius_i, omega_j, radius_j;
 };
 
-/// A pair's geometry and relative motion, discs i and j.
+/// A pair's geometry and relative motion.
 template <class V>
 struct PairMotion {
     V nx, ny;  ///< unit normal from i to j
     V overlap, chord;
-    V arm_i, arm_j;  ///< from the centres to the contact point
-    V ux, uy;        ///< velocity of i relative to j
-    V omega_i, omega_j;
-    V reduced_radius;  ///< for rolling springs only
+    V lever;      ///< distance / (r_i + r_j): the contact point divides the distance as the radii do
+    V ux, uy;     ///< velocity of i relative to j
+    V rim_speed;  ///< ω_i r_i + ω_j r_j
+    // For rolling springs only.
+    V omega, reduced_radius;  ///< ω_i − ω_j
+    V share_i, share_j;       ///< reduced radius / r_i, / r_j
 };
 
-/// What a pair gives to its discs; the force is that on j, the opposite acts on i.
+/// What a pair remembers.
+template <class V>
+struct PairMemory {
+    V spring;   ///< Δu_s of Eq 2.17
+    V rolling;  ///< moment of a rolling spring over the reduced radius
+};
+
+/// What a pair gives to its discs: the force on j, of which i gets the opposite, and what turns them.
 template <class V>
 struct PairForces {
-    V x, y, moment_i, moment_j, rolling, spring;
+    V x, y;
+    V turning_i, turning_j;  ///< moment over radius; one value for both without rolling springs
+    V rolling;               ///< Eq 2.18's limit, the same for both
+    PairMemory<V> memory;
 };
 
 template <PairRolling R, class V>
-IFEDEM_INLINE PairMotion<V> pair_motion(const PairSide<V>& i, const PairSide<V>& j) {
-    const V dx = j.x - i.x, dy = j.y - i.y;
-    const V distance = root(dx * dx + dy * dy);
-    const V overlap = (i.radius + j.radius) - distance;
-    const V inverse = 1.0 / distance;
-    const V half_overlap = 0.5 * overlap;
-    const V chord = inverse * root(max_of(chord_product(distance, overlap, i.radius, j.radius), V(0.0)));
-    return {dx * inverse,
-            dy * inverse,
-            overlap,
-            chord,
-            i.radius - half_overlap,
-            j.radius - half_overlap,
-            i.vx - j.vx,
-            i.vy - j.vy,
-            i.omega,
-            j.omega,
-            R == PairRolling::spring ? i.radius * j.radius / (i.radius + j.radius) : V(0.0)};
+IFEDEM_INLINE PairMotion<V> pair_motion(const PairSides<V>& p) {
+    const V distance2 = p.x * p.x + p.y * p.y;
+    const V distance = root(distance2);
+    const V radii = p.radius_i + p.radius_j;
+    const V overlap = radii - distance;
+    const V both = -1.0 / (distance * radii);  // one division for two quotients, negative since sides are i − j
+    const V inverse = both * radii;
+    const V chord2 = max_of(chord_product(distance, distance2, overlap, p.radius_i, p.radius_j), V(0.0));
+    PairMotion<V> m;
+    m.nx = p.x * inverse, m.ny = p.y * inverse;
+    m.overlap = overlap;
+    m.chord = -inverse * root(chord2);
+    m.lever = -distance2 * both;
+    m.ux = p.vx, m.uy = p.vy;
+    m.rim_speed = p.omega_i * p.radius_i + p.omega_j * p.radius_j;
+    if constexpr (R == PairRolling::spring) {
+        const V inverse_radii = -both * distance;
+        m.omega = p.omega_i - p.omega_j;
+        m.share_i = p.radius_j * inverse_radii, m.share_j = p.radius_i * inverse_radii;
+        m.reduced_radius = p.radius_i * m.share_i;
+    }
+    return m;
 }
 
 /// Eq 2.17 between discs i and j.
-template <class V>
-IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairMotion<V>& p, V damping, V spring,
-                                        V spring_step) {
+template <PairRolling R, class V>
+IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairMotion<V>& p, V damping,
+                                        const PairMemory<V>& old, V step_s) {
     const V approach = p.ux * p.nx + p.uy * p.ny;
-    const V sliding = (p.uy * p.nx - p.ux * p.ny) + (p.omega_i * p.arm_i + p.omega_j * p.arm_j);
-    const auto f = contact_forces(k, p.overlap, approach, sliding, damping, spring, spring_step, p.chord);
-    const V backward = V(0.0) - f.tangential_N;
-    return {f.normal_N * p.nx + backward * p.ny,
-            f.normal_N * p.ny - backward * p.nx,
-            backward * p.arm_i,
-            backward * p.arm_j,
-            f.rolling_limit_Nm,
-            f.tangential_spring_m};
-}
-
-/// Adds the moment of a rolling spring, whose memory it advances.
-template <class V>
-IFEDEM_INLINE void add_rolling_spring(const ContactConstants& k, const PairMotion<V>& p, V step_s, PairForces<V>& f,
-                                      V& moment_Nm) {
-    const V normal = f.x * p.nx + f.y * p.ny;
-    const V cap = (k.rolling_cap * p.reduced_radius) * max_of(normal, V(0.0));
-    const V stiffness = k.tangential_stiffness_N_m * (p.reduced_radius * p.reduced_radius);
-    moment_Nm = max_of(V(0.0) - cap, min_of(cap, moment_Nm + stiffness * ((p.omega_i - p.omega_j) * step_s)));
-    f.moment_i = f.moment_i - moment_Nm, f.moment_j = f.moment_j + moment_Nm, f.rolling = V(0.0);
+    const V sliding = (p.uy * p.nx - p.ux * p.ny) + p.lever * p.rim_speed;
+    const auto f = contact_forces(k, p.overlap, approach, sliding, damping, old.spring, step_s, p.chord);
+    const V backward = V(0.0) - f.tangential_N, turning = backward * p.lever;
+    PairForces<V> out{f.normal_N * p.nx - f.tangential_N * p.ny,
+                      f.normal_N * p.ny + f.tangential_N * p.nx,
+                      turning,
+                      turning,
+                      f.rolling_limit_Nm,
+                      {f.tangential_spring_m, V(0.0)}};
+    if constexpr (R == PairRolling::spring) {
+        const V cap = k.rolling_cap * max_of(f.normal_N, V(0.0));
+        const V trial = old.rolling + (k.tangential_stiffness_N_m * p.reduced_radius) * (p.omega * step_s);
+        const V rolling = max_of(-cap, min_of(cap, trial));
+        out.turning_i = turning - rolling * p.share_i, out.turning_j = turning + rolling * p.share_j;
+        out.rolling = V(0.0), out.memory.rolling = rolling;
+    }
+    return out;
 }
 
 /// One pair; also the tail of a block.
 template <PairRolling R>
 IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, std::uint32_t n) {
-    const Disc &di = b.disc[b.i[n]], &dj = b.disc[b.j[n]];
-    const auto motion = pair_motion<R, double>({di.x_m, di.y_m, di.vx_m_s, di.vy_m_s, di.omega_rad_s, di.radius_m},
-                                               {dj.x_m, dj.y_m, dj.vx_m_s, dj.vy_m_s, dj.omega_rad_s, dj.radius_m});
-    auto f = pair_forces<double>(k, motion, b.damping_Ns_m[n], b.spring_m[n], b.spring_step_s);
-    b.spring_m[n] = f.spring;
-    if constexpr (R == PairRolling::spring) add_rolling_spring<double>(k, motion, b.spring_step_s, f, b.rolling_Nm[n]);
-    DiscForce& on_i = b.force[b.slot_i[n]];
-    on_i.x_N -= f.x, on_i.y_N -= f.y, on_i.moment_Nm += f.moment_i, on_i.rolling_limit_Nm += f.rolling;
-    DiscForce& on_j = b.force[b.slot_j[n]];
-    on_j.x_N += f.x, on_j.y_N += f.y, on_j.moment_Nm += f.moment_j, on_j.rolling_limit_Nm += f.rolling;
+    constexpr bool springs = R == PairRolling::spring;
+    const Disc &i = b.disc[b.i[n]], &j = b.disc[b.j[n]];
+    const PairSides<double> sides{i.x_m - j.x_m, i.y_m - j.y_m, i.vx_m_s - j.vx_m_s, i.vy_m_s - j.vy_m_s,
+                                  i.omega_rad_s, i.radius_m,    j.omega_rad_s,       j.radius_m};
+    const PairMemory<double> old{b.spring_m[n], springs ? b.rolling_N[n] : 0.0};
+    const auto f = pair_forces<R, double>(k, pair_motion<R>(sides), b.damping_Ns_m[n], old, b.spring_step_s);
+    b.spring_m[n] = f.memory.spring;
+    if constexpr (springs) b.rolling_N[n] = f.memory.rolling;
+    DiscForce &on_i = b.force[b.slot_i[n]], &on_j = b.force[b.slot_j[n]];
+    on_i.x_N -= f.x, on_i.y_N -= f.y, on_i.turning_N += f.turning_i, on_i.rolling_limit_Nm += f.rolling;
+    on_j.x_N += f.x, on_j.y_N += f.y, on_j.turning_N += f.turning_j, on_j.rolling_limit_Nm += f.rolling;
 }
 
+using Two = RawVector<2>::Type;
 using Four = RawVector<4>::Type;
+using Eight = RawVector<8>::Type;
 
-/// W discs' records, transposed: one load a record (or half of one) and shuffles instead of gathers.
+template <class V>
+IFEDEM_INLINE V load_as(const double* p) {
+    V v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+IFEDEM_INLINE Four join(Two a, Two b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3); }
+IFEDEM_INLINE Eight join(Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
+
+// Records become columns. Shuffles are what the loop has too many of, so halves of records are put side by side by
+// loads, the differences of i and j are taken before they are transposed, and 512-bit permutations by an index vector
+// are avoided for unpacking and exchange of 128-bit lanes.
+
 template <int W>
-IFEDEM_INLINE PairSide<Pack<W>> load_side(const Disc* disc, const std::uint32_t* at);
+IFEDEM_INLINE PairSides<Pack<W>> load_sides(const Disc* disc, const std::uint32_t* i, const std::uint32_t* j);
 
 template <>
-IFEDEM_INLINE PairSide<Pack<2>> load_side<2>(const Disc* disc, const std::uint32_t* at) {
+IFEDEM_INLINE PairSides<Pack<2>> load_sides<2>(const Disc* disc, const std::uint32_t* i, const std::uint32_t* j) {
     using P = Pack<2>;
-    using R = P::Raw;
-    const Disc &a = disc[at[0]], &b = disc[at[1]];
-    return {{P::FromRaw{}, R{a.x_m, b.x_m}},
-            {P::FromRaw{}, R{a.y_m, b.y_m}},
-            {P::FromRaw{}, R{a.vx_m_s, b.vx_m_s}},
-            {P::FromRaw{}, R{a.vy_m_s, b.vy_m_s}},
-            {P::FromRaw{}, R{a.omega_rad_s, b.omega_rad_s}},
-            {P::FromRaw{}, R{a.radius_m, b.radius_m}}};
+    const Disc &ai = disc[i[0]], &aj = disc[j[0]], &bi = disc[i[1]], &bj = disc[j[1]];
+    const Two a = load_as<Two>(&ai.x_m) - load_as<Two>(&aj.x_m), b = load_as<Two>(&bi.x_m) - load_as<Two>(&bj.x_m);
+    const Two c = load_as<Two>(&ai.vx_m_s) - load_as<Two>(&aj.vx_m_s),
+              d = load_as<Two>(&bi.vx_m_s) - load_as<Two>(&bj.vx_m_s);
+    const Two ei = load_as<Two>(&ai.omega_rad_s), fi = load_as<Two>(&bi.omega_rad_s);
+    const Two ej = load_as<Two>(&aj.omega_rad_s), fj = load_as<Two>(&bj.omega_rad_s);
+    const auto low = [](Two p, Two q) { return P(P::FromRaw{}, __builtin_shufflevector(p, q, 0, 2)); };
+    const auto high = [](Two p, Two q) { return P(P::FromRaw{}, __builtin_shufflevector(p, q, 1, 3)); };
+    return {low(a, b), high(a, b), low(c, d), high(c, d), low(ei, fi), high(ei, fi), low(ej, fj), high(ej, fj)};
 }
 
 template <>
-IFEDEM_INLINE PairSide<Pack<4>> load_side<4>(const Disc* disc, const std::uint32_t* at) {
+IFEDEM_INLINE PairSides<Pack<4>> load_sides<4>(const Disc* disc, const std::uint32_t* i, const std::uint32_t* j) {
     using P = Pack<4>;
-    using R = P::Raw;
-    R low[4], high[4];
-    for (int n = 0; n < 4; ++n) {
-        __builtin_memcpy(&low[n], &disc[at[n]].x_m, 32);
-        __builtin_memcpy(&high[n], &disc[at[n]].omega_rad_s, 32);
+    Four d[4], ei[2], ej[2];
+    for (int n = 0; n < 4; ++n) d[n] = load_as<Four>(&disc[i[n]].x_m) - load_as<Four>(&disc[j[n]].x_m);
+    for (int n = 0; n < 2; ++n) {
+        ei[n] = join(load_as<Two>(&disc[i[n]].omega_rad_s), load_as<Two>(&disc[i[n + 2]].omega_rad_s));
+        ej[n] = join(load_as<Two>(&disc[j[n]].omega_rad_s), load_as<Two>(&disc[j[n + 2]].omega_rad_s));
     }
-    const R a = __builtin_shufflevector(low[0], low[1], 0, 4, 2, 6),
-            b = __builtin_shufflevector(low[0], low[1], 1, 5, 3, 7);
-    const R c = __builtin_shufflevector(low[2], low[3], 0, 4, 2, 6),
-            d = __builtin_shufflevector(low[2], low[3], 1, 5, 3, 7);
-    const R e = __builtin_shufflevector(high[0], high[1], 0, 4, 2, 6),
-            f = __builtin_shufflevector(high[0], high[1], 1, 5, 3, 7);
-    const R g = __builtin_shufflevector(high[2], high[3], 0, 4, 2, 6),
-            h = __builtin_shufflevector(high[2], high[3], 1, 5, 3, 7);
-    return {{P::FromRaw{}, __builtin_shufflevector(a, c, 0, 1, 4, 5)},
-            {P::FromRaw{}, __builtin_shufflevector(b, d, 0, 1, 4, 5)},
-            {P::FromRaw{}, __builtin_shufflevector(a, c, 2, 3, 6, 7)},
-            {P::FromRaw{}, __builtin_shufflevector(b, d, 2, 3, 6, 7)},
-            {P::FromRaw{}, __builtin_shufflevector(e, g, 0, 1, 4, 5)},
-            {P::FromRaw{}, __builtin_shufflevector(f, h, 0, 1, 4, 5)}};
+    const auto low = [](Four p, Four q) { return __builtin_shufflevector(p, q, 0, 4, 2, 6); };
+    const auto high = [](Four p, Four q) { return __builtin_shufflevector(p, q, 1, 5, 3, 7); };
+    const Four x01 = low(d[0], d[1]), y01 = high(d[0], d[1]), x23 = low(d[2], d[3]), y23 = high(d[2], d[3]);
+    return {{P::FromRaw{}, __builtin_shufflevector(x01, x23, 0, 1, 4, 5)},
+            {P::FromRaw{}, __builtin_shufflevector(y01, y23, 0, 1, 4, 5)},
+            {P::FromRaw{}, __builtin_shufflevector(x01, x23, 2, 3, 6, 7)},
+            {P::FromRaw{}, __builtin_shufflevector(y01, y23, 2, 3, 6, 7)},
+            {P::FromRaw{}, low(ei[0], ei[1])},
+            {P::FromRaw{}, high(ei[0], ei[1])},
+            {P::FromRaw{}, low(ej[0], ej[1])},
+            {P::FromRaw{}, high(ej[0], ej[1])}};
 }
 
 template <>
-IFEDEM_INLINE PairSide<Pack<8>> load_side<8>(const Disc* disc, const std::uint32_t* at) {
+IFEDEM_INLINE PairSides<Pack<8>> load_sides<8>(const Disc* disc, const std::uint32_t* i, const std::uint32_t* j) {
     using P = Pack<8>;
-    using R = P::Raw;
-    R r[8], even[4], odd[4];
-    for (int n = 0; n < 8; ++n) __builtin_memcpy(&r[n], &disc[at[n]].x_m, 64);
-    for (int n = 0; n < 4; ++n) {  // columns of two records side by side: 0 0 2 2 4 4 6 6 and 1 1 3 3 5 5 7 7
-        even[n] = __builtin_shufflevector(r[2 * n], r[2 * n + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        odd[n] = __builtin_shufflevector(r[2 * n], r[2 * n + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    constexpr int first[4] = {0, 1, 4, 5};  // with first + 2 beside it: lanes come out in order
+    Eight d[4], ei[2], ej[2];
+    for (int n = 0; n < 4; ++n) {
+        const int a = first[n], b = a + 2;
+        d[n] = join(load_as<Four>(&disc[i[a]].x_m), load_as<Four>(&disc[i[b]].x_m)) -
+               join(load_as<Four>(&disc[j[a]].x_m), load_as<Four>(&disc[j[b]].x_m));
     }
-    // columns 0 and 4 of four records, then 2 and 6; the same for the odd ones
-    const R e04a = __builtin_shufflevector(even[0], even[1], 0, 1, 4, 5, 8, 9, 12, 13);
-    const R e04b = __builtin_shufflevector(even[2], even[3], 0, 1, 4, 5, 8, 9, 12, 13);
-    const R e2a = __builtin_shufflevector(even[0], even[1], 2, 3, 6, 7, 10, 11, 14, 15);
-    const R e2b = __builtin_shufflevector(even[2], even[3], 2, 3, 6, 7, 10, 11, 14, 15);
-    const R o15a = __builtin_shufflevector(odd[0], odd[1], 0, 1, 4, 5, 8, 9, 12, 13);
-    const R o15b = __builtin_shufflevector(odd[2], odd[3], 0, 1, 4, 5, 8, 9, 12, 13);
-    const R o3a = __builtin_shufflevector(odd[0], odd[1], 2, 3, 6, 7, 10, 11, 14, 15);
-    const R o3b = __builtin_shufflevector(odd[2], odd[3], 2, 3, 6, 7, 10, 11, 14, 15);
-    return {{P::FromRaw{}, __builtin_shufflevector(e04a, e04b, 0, 1, 4, 5, 8, 9, 12, 13)},
-            {P::FromRaw{}, __builtin_shufflevector(o15a, o15b, 0, 1, 4, 5, 8, 9, 12, 13)},
-            {P::FromRaw{}, __builtin_shufflevector(e2a, e2b, 0, 1, 4, 5, 8, 9, 12, 13)},
-            {P::FromRaw{}, __builtin_shufflevector(o3a, o3b, 0, 1, 4, 5, 8, 9, 12, 13)},
-            {P::FromRaw{}, __builtin_shufflevector(e04a, e04b, 2, 3, 6, 7, 10, 11, 14, 15)},
-            {P::FromRaw{}, __builtin_shufflevector(o15a, o15b, 2, 3, 6, 7, 10, 11, 14, 15)}};
+    const auto ends = [&](const std::uint32_t* at) {
+        return join(join(load_as<Two>(&disc[at[0]].omega_rad_s), load_as<Two>(&disc[at[2]].omega_rad_s)),
+                    join(load_as<Two>(&disc[at[4]].omega_rad_s), load_as<Two>(&disc[at[6]].omega_rad_s)));
+    };
+    for (int n = 0; n < 2; ++n) ei[n] = ends(i + n), ej[n] = ends(j + n);
+    const auto low = [](Eight p, Eight q) { return __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14); };
+    const auto high = [](Eight p, Eight q) { return __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15); };
+    // x of pairs 0 1, vx of 0 1, x of 2 3, vx of 2 3; and so on
+    const Eight x03 = low(d[0], d[1]), y03 = high(d[0], d[1]), x47 = low(d[2], d[3]), y47 = high(d[2], d[3]);
+    return {{P::FromRaw{}, __builtin_shufflevector(x03, x47, 0, 1, 4, 5, 8, 9, 12, 13)},
+            {P::FromRaw{}, __builtin_shufflevector(y03, y47, 0, 1, 4, 5, 8, 9, 12, 13)},
+            {P::FromRaw{}, __builtin_shufflevector(x03, x47, 2, 3, 6, 7, 10, 11, 14, 15)},
+            {P::FromRaw{}, __builtin_shufflevector(y03, y47, 2, 3, 6, 7, 10, 11, 14, 15)},
+            {P::FromRaw{}, low(ei[0], ei[1])},
+            {P::FromRaw{}, high(ei[0], ei[1])},
+            {P::FromRaw{}, low(ej[0], ej[1])},
+            {P::FromRaw{}, high(ej[0], ej[1])}};
 }
 
-/// W lanes of the columns x, y, moment, rolling as the first W force records, in lane order.
-template <int W>
-IFEDEM_INLINE void to_records(const Pack<W> (&in)[4], Four (&out)[8]);
+/// Columns of force records.
+template <class V>
+struct ForceColumns {
+    V x, y, turning, rolling;
+};
 
-template <>
-IFEDEM_INLINE void to_records<2>(const Pack<2> (&in)[4], Four (&out)[8]) {
-    out[0] = Four{in[0].v[0], in[1].v[0], in[2].v[0], in[3].v[0]};
-    out[1] = Four{in[0].v[1], in[1].v[1], in[2].v[1], in[3].v[1]};
+IFEDEM_INLINE void to_records(const ForceColumns<Two>& f, Four* out) {
+    out[0] = Four{f.x[0], f.turning[0], f.y[0], f.rolling[0]};
+    out[1] = Four{f.x[1], f.turning[1], f.y[1], f.rolling[1]};
 }
-
-template <>
-IFEDEM_INLINE void to_records<4>(const Pack<4> (&in)[4], Four (&out)[8]) {
-    const Four a = __builtin_shufflevector(in[0].v, in[1].v, 0, 4, 2, 6),
-               b = __builtin_shufflevector(in[0].v, in[1].v, 1, 5, 3, 7);
-    const Four c = __builtin_shufflevector(in[2].v, in[3].v, 0, 4, 2, 6),
-               d = __builtin_shufflevector(in[2].v, in[3].v, 1, 5, 3, 7);
+IFEDEM_INLINE void to_records(const ForceColumns<Four>& f, Four* out) {
+    const Four a = __builtin_shufflevector(f.x, f.turning, 0, 4, 2, 6),
+               b = __builtin_shufflevector(f.x, f.turning, 1, 5, 3, 7);
+    const Four c = __builtin_shufflevector(f.y, f.rolling, 0, 4, 2, 6),
+               d = __builtin_shufflevector(f.y, f.rolling, 1, 5, 3, 7);
     out[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5), out[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
     out[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7), out[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
-
-template <>
-IFEDEM_INLINE void to_records<8>(const Pack<8> (&in)[4], Four (&out)[8]) {
-    using R = Pack<8>::Raw;
-    const R xy[2] = {__builtin_shufflevector(in[0].v, in[1].v, 0, 8, 2, 10, 4, 12, 6, 14),
-                     __builtin_shufflevector(in[0].v, in[1].v, 1, 9, 3, 11, 5, 13, 7, 15)};
-    const R mr[2] = {__builtin_shufflevector(in[2].v, in[3].v, 0, 8, 2, 10, 4, 12, 6, 14),
-                     __builtin_shufflevector(in[2].v, in[3].v, 1, 9, 3, 11, 5, 13, 7, 15)};
-    for (int odd = 0; odd < 2; ++odd) {
-        const R first = __builtin_shufflevector(xy[odd], mr[odd], 0, 1, 8, 9, 2, 3, 10, 11);
-        const R second = __builtin_shufflevector(xy[odd], mr[odd], 4, 5, 12, 13, 6, 7, 14, 15);
-        out[odd] = __builtin_shufflevector(first, first, 0, 1, 2, 3);
-        out[odd + 2] = __builtin_shufflevector(first, first, 4, 5, 6, 7);
-        out[odd + 4] = __builtin_shufflevector(second, second, 0, 1, 2, 3);
-        out[odd + 6] = __builtin_shufflevector(second, second, 4, 5, 6, 7);
-    }
+IFEDEM_INLINE void to_records(const ForceColumns<Eight>& f, Four* out) {
+    const auto low = [](const Eight& a) { return __builtin_shufflevector(a, a, 0, 1, 2, 3); };
+    const auto high = [](const Eight& a) { return __builtin_shufflevector(a, a, 4, 5, 6, 7); };
+    to_records(ForceColumns<Four>{low(f.x), low(f.y), low(f.turning), low(f.rolling)}, out);
+    to_records(ForceColumns<Four>{high(f.x), high(f.y), high(f.turning), high(f.rolling)}, out + 4);
 }
 
-IFEDEM_INLINE void add_record(DiscForce& to, const Four& f) {
-    Four old;
-    __builtin_memcpy(&old, &to.x_N, 32);
-    old += f;
-    __builtin_memcpy(&to.x_N, &old, 32);
+IFEDEM_INLINE void add_to_j(DiscForce& to, const Four& f) {
+    const Four sum = load_as<Four>(&to.x_N) + f;
+    __builtin_memcpy(&to.x_N, &sum, sizeof sum);
+}
+/// The force is the opposite one, what turns is the same: one instruction where vectors can add and subtract in turn.
+IFEDEM_INLINE void add_to_i(DiscForce& to, const Four& f) {
+    const Four old = load_as<Four>(&to.x_N), less = old - f, more = old + f;
+    const Four sum = __builtin_shufflevector(less, more, 0, 5, 2, 7);
+    __builtin_memcpy(&to.x_N, &sum, sizeof sum);
 }
 
 /// Sums pair by pair, i before j: the order of the scalar loop, hence its bits.
-template <int W>
+template <PairRolling R, int W>
 IFEDEM_INLINE void scatter(const PairBatch& b, std::uint32_t n, const PairForces<Pack<W>>& f) {
-    Four on_i[8], on_j[8];
-    to_records<W>({Pack<W>(0.0) - f.x, Pack<W>(0.0) - f.y, f.moment_i, f.rolling}, on_i);
-    to_records<W>({f.x, f.y, f.moment_j, f.rolling}, on_j);
+    using Raw = typename Pack<W>::Raw;
+    Four for_i[W], for_j[W];
+    to_records(ForceColumns<Raw>{f.x.v, f.y.v, f.turning_j.v, f.rolling.v}, for_j);
+    if constexpr (R == PairRolling::spring)
+        to_records(ForceColumns<Raw>{f.x.v, f.y.v, f.turning_i.v, f.rolling.v}, for_i);
     for (int lane = 0; lane < W; ++lane) {
         const std::uint32_t at = n + static_cast<std::uint32_t>(lane);
-        add_record(b.force[b.slot_i[at]], on_i[lane]);
-        add_record(b.force[b.slot_j[at]], on_j[lane]);
+        add_to_i(b.force[b.slot_i[at]], (R == PairRolling::spring ? for_i : for_j)[lane]);
+        add_to_j(b.force[b.slot_j[at]], for_j[lane]);
     }
 }
 
 /// W pairs from `n` on.
 template <PairRolling R, int W>
 IFEDEM_INLINE PairMotion<Pack<W>> gather(const PairBatch& b, std::uint32_t n) {
-    return pair_motion<R, Pack<W>>(load_side<W>(b.disc, b.i + n), load_side<W>(b.disc, b.j + n));
+    return pair_motion<R, Pack<W>>(load_sides<W>(b.disc, b.i + n, b.j + n));
 }
 
-/// Their law; the springs are stored.
+/// Their law; what they remember is stored.
 template <PairRolling R, int W>
 IFEDEM_INLINE PairForces<Pack<W>> compute(const ContactConstants& k, const PairBatch& b, std::uint32_t n,
                                           const PairMotion<Pack<W>>& motion) {
-    auto f = pair_forces<Pack<W>>(k, motion, Pack<W>(b.damping_Ns_m + n), Pack<W>(b.spring_m + n), b.spring_step_s);
-    f.spring.store(b.spring_m + n);
-    if constexpr (R == PairRolling::spring) {
-        Pack<W> moment(b.rolling_Nm + n);
-        add_rolling_spring<Pack<W>>(k, motion, b.spring_step_s, f, moment);
-        moment.store(b.rolling_Nm + n);
-    }
+    using P = Pack<W>;
+    const PairMemory<P> old{P(b.spring_m + n), R == PairRolling::spring ? P(b.rolling_N + n) : P(0.0)};
+    const auto f = pair_forces<R, P>(k, motion, P(b.damping_Ns_m + n), old, b.spring_step_s);
+    f.memory.spring.store(b.spring_m + n);
+    if constexpr (R == PairRolling::spring) f.memory.rolling.store(b.rolling_N + n);
     return f;
 }
 
@@ -280,18 +301,18 @@ IFEDEM_INLINE void add_pairs_as(const ContactConstants& constants, const PairBat
             const auto next = gather<R, W>(b, n);
             const auto ready = forces;
             forces = compute<R, W>(k, b, n - W, motion);
-            scatter<W>(b, n - 2 * W, ready);
+            scatter<R, W>(b, n - 2 * W, ready);
             motion = next;
         }
-        scatter<W>(b, n - 2 * W, forces);
-        scatter<W>(b, n - W, compute<R, W>(k, b, n - W, motion));
+        scatter<R, W>(b, n - 2 * W, forces);
+        scatter<R, W>(b, n - W, compute<R, W>(k, b, n - W, motion));
     }
     for (; n < b.end; ++n) add_one_pair<R>(k, b, n);
 }
 
 template <int W>
 IFEDEM_INLINE void add_pairs(const ContactConstants& k, const PairBatch& batch) {
-    if (batch.rolling_Nm == nullptr)
+    if (batch.rolling_N == nullptr)
         add_pairs_as<PairRolling::chord, W>(k, batch);
     else
         add_pairs_as<PairRolling::spring, W>(k, batch);

@@ -7,7 +7,7 @@
 namespace ifedem {
 
 /// Raised by every commit that changes a state hash; CHANGELOG says why.
-inline constexpr int results_version = 4;
+inline constexpr int results_version = 5;
 
 /// Writes the whole state to `path`: HDF5, one dataset a member of for_each_member with its units as an attribute, the
 /// case as text; after the HDF5 data stands a checksum of the whole file. Equal states make equal bytes. The file is

@@ -25,9 +25,9 @@ PairMotion pair_motion(const Disc& a, const Disc& b) {
     const double distance = norm(d), overlap = a.radius_m + b.radius_m - distance;
     if (overlap <= 0) return {overlap, 0, 0};
     const Vec2 normal = (1.0 / distance) * d, u{a.vx_m_s - b.vx_m_s, a.vy_m_s - b.vy_m_s};
-    return {
-        overlap, dot(u, normal),
-        cross(normal, u) + a.omega_rad_s * (a.radius_m - 0.5 * overlap) + b.omega_rad_s * (b.radius_m - 0.5 * overlap)};
+    const double lever = distance / (a.radius_m + b.radius_m);
+    return {overlap, dot(u, normal),
+            cross(normal, u) + lever * (a.omega_rad_s * a.radius_m + b.omega_rad_s * b.radius_m)};
 }
 
 /// `at` with velocities half-way between two steps.
@@ -91,7 +91,7 @@ void add_rolling_losses(const Scene& scene, const std::vector<Disc>& before, con
     for (std::size_t p = 0; p < before.size(); ++p) {
         const Disc& d = before[p];
         const double inertia = 0.5 * squared(d.radius_m) / d.inverse_mass_1_kg;
-        const double free = d.omega_rad_s + dt / inertia * work.force[work.force_slot[p]].moment_Nm;
+        const double free = d.omega_rad_s + dt / inertia * (d.radius_m * work.force[work.force_slot[p]].turning_N);
         const double omega = after.discs.disc[p].omega_rad_s;
         flow.lost_rolling_W += (free - omega) * inertia / dt * 0.5 * (d.omega_rad_s + omega);
     }

@@ -11,7 +11,7 @@ namespace {
 DiscAcceleration acceleration_of(const DemConstants& k, const Disc& d, const DiscForce& f) {
     const double dt = k.step_s;
     const double per_inertia = 2.0 * d.inverse_mass_1_kg / (d.radius_m * d.radius_m);
-    const double free = d.omega_rad_s + dt * per_inertia * f.moment_Nm;
+    const double free = d.omega_rad_s + dt * per_inertia * (d.radius_m * f.turning_N);
     const double after = apply_rolling(k.rolling, free, d.omega_rad_s, dt * per_inertia * f.rolling_limit_Nm);
     return {d.inverse_mass_1_kg * f.x_N + k.gravity_m_s2.x, d.inverse_mass_1_kg * f.y_N + k.gravity_m_s2.y,
             (after - d.omega_rad_s) / dt, 0.0};
@@ -57,8 +57,8 @@ void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspac
         const double impulse = dt * d.inverse_mass_1_kg, spin = spin_per_moment[p];
         d.vx_m_s += impulse * f.x_N + fall.x;
         d.vy_m_s += impulse * f.y_N + fall.y;
-        d.omega_rad_s =
-            apply_rolling(rolling, d.omega_rad_s + spin * f.moment_Nm, d.omega_rad_s, spin * f.rolling_limit_Nm);
+        d.omega_rad_s = apply_rolling(rolling, d.omega_rad_s + spin * (d.radius_m * f.turning_N), d.omega_rad_s,
+                                      spin * f.rolling_limit_Nm);
         d.x_m += dt * d.vx_m_s;
         d.y_m += dt * d.vy_m_s;
         d.angle_rad += dt * d.omega_rad_s;

@@ -35,8 +35,8 @@ struct Touching {
     double half_chord_m = 0;
 };
 
-/// The force of b on a and the new tangential spring. The contact point lies half-way through the overlap between
-/// discs, on the line of a flat wall.
+/// The force of b on a and the new tangential spring. The contact point divides the distance of two discs
+/// as their radii do and is the foot on a flat wall.
 inline Force contact(const ContactConstants& k, double damping_ratio, double step_s, const Body& a, const Body& b,
                      const Touching& touch, double& spring_m) {
     const Vec2 n = touch.normal, t{-n.y, n.x};
@@ -88,7 +88,8 @@ private:
         const double distance = norm(to_b), overlap = ba.radius_m + bb.radius_m - distance;
         if (overlap <= 0) return;
         double spring = pair_spring_m.count({a, b}) != 0 ? pair_spring_m[{a, b}] : 0.0;
-        const Touching touch{(1 / distance) * to_b, overlap, ba.radius_m - overlap / 2, bb.radius_m - overlap / 2,
+        const double lever = distance / (ba.radius_m + bb.radius_m);
+        const Touching touch{(1 / distance) * to_b, overlap, lever * ba.radius_m, lever * bb.radius_m,
                              half_chord(ba.radius_m, bb.radius_m, distance)};
         const Force f = contact(k.soil, k.damping_ratio, step_s, ba, bb, touch, spring);
         springs[{a, b}] = spring;
@@ -109,7 +110,8 @@ private:
         } else {
             const Vec2 to_wall = k.wall_discs[w].centre_m - ba.centre_m;
             const double distance = norm(to_wall), overlap = r + k.wall_discs[w].radius_m - distance;
-            touch = {(1 / distance) * to_wall, overlap, r - overlap / 2, k.wall_discs[w].radius_m - overlap / 2,
+            const double opposite = k.wall_discs[w].radius_m, lever = distance / (r + opposite);
+            touch = {(1 / distance) * to_wall, overlap, lever * r, lever * opposite,
                      half_chord(r, k.wall_discs[w].radius_m, distance)};
         }
         if (touch.overlap_m <= 0) return;

@@ -119,7 +119,8 @@ void compare(const World& w, const reference::Dem& all_pairs, double gravity_sca
         const DiscForce& got = force_on(w, p);
         const reference::Force& want = all_pairs.force[w.state.discs.id[p]];
         worst.force = std::fmax(worst.force, norm(Vec2{got.x_N, got.y_N} - want.force_N) / force);
-        worst.moment = std::fmax(worst.moment, std::fabs(got.moment_Nm - want.moment_Nm) / moment);
+        worst.moment = std::fmax(worst.moment,
+                                 std::fabs(w.state.discs.disc[p].radius_m * got.turning_N - want.moment_Nm) / moment);
         worst.rolling = std::fmax(worst.rolling, std::fabs(got.rolling_limit_Nm - want.rolling_limit_Nm) / rolling);
     }
     double spring = 1e-9;
