@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -198,8 +197,6 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // Threads sleep at barriers: spinning ones fight over the cores as soon as there are fewer of these than threads.
-    setenv("OMP_WAIT_POLICY", "passive", 0);
     try {
         return run_program(argc, argv);
     } catch (const Error& e) {

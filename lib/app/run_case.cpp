@@ -1,7 +1,6 @@
 #include "app/run_case.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <chrono>
 #include <cmath>
@@ -18,6 +17,7 @@
 #include "app/stress_files.hpp"
 #include "core/hash.hpp"
 #include "dem/bed.hpp"
+#include "dem/threads.hpp"
 #include "record/checkpoint.hpp"
 #include "record/results.hpp"
 #include "step/energy.hpp"
@@ -241,7 +241,7 @@ int finish(LiveRun& run, double cpu_s, double wall_s) {
 int go_through_stages(LiveRun& run, Stage first) {
     const double cpu0 = cpu_seconds();
     const auto wall0 = std::chrono::steady_clock::now();
-    omp_set_num_threads(run.request.threads);
+    set_threads(run.request.threads);
     run.profile.on = run.request.profile;
     signal_seen = 0;
     std::signal(SIGTERM, note_signal);

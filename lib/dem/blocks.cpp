@@ -10,7 +10,7 @@ void lay_out_blocks(const State& state, DemWorkspace& work) {
     const auto& p = state.pairs;
     const auto count = static_cast<std::uint32_t>(state.discs.disc.size());
     work.block.clear();
-    work.outer_slot_i.resize(p.i.size()), work.outer_slot_j.resize(p.i.size());
+    work.outer_slot_j.resize(p.i.size());
     work.force_slot.resize(count);
     std::vector<std::vector<Merge>> incoming((count + discs_per_block - 1) / discs_per_block);
     std::vector<std::uint32_t> first_source(incoming.size(), count);
@@ -36,7 +36,6 @@ void lay_out_blocks(const State& state, DemWorkspace& work) {
         }
         b.force_end = slot;
         for (std::uint32_t n = b.outer_begin; n < b.outer_end; ++n) {
-            work.outer_slot_i[n] = work.force_slot[p.i[n]];
             work.outer_slot_j[n] = p.j[n] < b.disc_end ? work.force_slot[p.j[n]] : slot_of_halo[p.j[n]];
         }
         work.block.push_back(b);

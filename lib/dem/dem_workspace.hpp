@@ -49,8 +49,8 @@ struct DemWorkspace {
     void (*pair_kernel)(const ContactConstants&, const struct PairBatch&) = nullptr;  ///< see vector_width.hpp
     std::vector<Block> block;
     // Inner pairs, unpacked for the pair loop.
-    std::vector<std::uint32_t> i, j;            ///< list positions
-    std::vector<std::uint32_t> slot_i, slot_j;  ///< force slots
+    std::vector<std::uint32_t> i, j;    ///< list positions
+    std::vector<std::uint32_t> slot_j;  ///< force slot of j; that of i follows from its block
     std::vector<double> damping_Ns_m;
     std::vector<double> rolling_N;  ///< of DemConstants::rolling_springs, moment over reduced radius; else empty
     std::vector<Merge> merge;
@@ -61,7 +61,7 @@ struct DemWorkspace {
     std::vector<WallCandidate> wall;      ///< as State::wall_contacts, with positions
     std::vector<WheelForce> wheel_force;  ///< of this step, sorted by position
     // As State's outer pairs: what a refresh copies into the arrays above.
-    std::vector<std::uint32_t> outer_slot_i, outer_slot_j;
+    std::vector<std::uint32_t> outer_slot_j;
     std::vector<double> outer_damping_Ns_m;
     std::vector<WallCandidate> outer_wall;
     // Scratch of a refresh.

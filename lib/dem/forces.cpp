@@ -35,11 +35,12 @@ void add_block_forces(const DemConstants& k, const Block& block, State& state, D
     PairBatch batch;
     batch.disc = state.discs.disc.data();
     batch.i = work.i.data(), batch.j = work.j.data();
-    batch.slot_i = work.slot_i.data(), batch.slot_j = work.slot_j.data();
+    batch.slot_j = work.slot_j.data();
     batch.damping_Ns_m = work.damping_Ns_m.data();
     batch.spring_m = state.pairs.tangential_m.data();
     batch.rolling_N = k.rolling_springs ? work.rolling_N.data() : nullptr;
     batch.force = work.force.data();
+    batch.own_force = batch.force + (block.force_begin - block.disc_begin);  // slots before: no fewer than discs
     batch.begin = block.pair_begin, batch.end = block.pair_end;
     batch.spring_step_s = spring_step_s;
     work.pair_kernel(k.soil, batch);

@@ -178,7 +178,7 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
     const Disc* disc = state.discs.disc.data();
     const Reference* reference = p.inner_reference.data();
     const auto outer_count = static_cast<std::uint32_t>(p.i.size());
-    for (auto* list : {&work.i, &work.j, &work.slot_i, &work.slot_j, &work.next_inner}) list->resize(outer_count);
+    for (auto* list : {&work.i, &work.j, &work.slot_j, &work.next_inner}) list->resize(outer_count);
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(outer_count);
     p.inner.push_back(outer_count);  // sentinels: never met
     p.tangential_m.push_back(0.0);
@@ -190,7 +190,7 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
         for (std::uint32_t n = block.outer_begin; n < block.outer_end; ++n) {
             const bool was_listed = p.inner[old] == n;
             work.i[kept] = p.i[n], work.j[kept] = p.j[n];
-            work.slot_i[kept] = work.outer_slot_i[n], work.slot_j[kept] = work.outer_slot_j[n];
+            work.slot_j[kept] = work.outer_slot_j[n];
             work.damping_Ns_m[kept] = work.outer_damping_Ns_m[n];
             work.next_inner[kept] = n;
             work.next_spring_m[kept] = was_listed ? p.tangential_m[old] : 0.0;
@@ -201,7 +201,7 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
         }
         block.pair_end = static_cast<std::uint32_t>(kept);
     }
-    for (auto* list : {&work.i, &work.j, &work.slot_i, &work.slot_j, &work.next_inner}) list->resize(kept);
+    for (auto* list : {&work.i, &work.j, &work.slot_j, &work.next_inner}) list->resize(kept);
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(kept);
     p.inner.swap(work.next_inner);
     p.tangential_m.swap(work.next_spring_m);
@@ -212,7 +212,7 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
 /// The inner list as it stands.
 void unpack_pairs(const State& state, DemWorkspace& work) {
     const auto& p = state.pairs;
-    for (auto* list : {&work.i, &work.j, &work.slot_i, &work.slot_j}) list->clear();
+    for (auto* list : {&work.i, &work.j, &work.slot_j}) list->clear();
     work.damping_Ns_m.clear();
     std::size_t n = 0;
     for (Block& block : work.block) {
@@ -220,7 +220,7 @@ void unpack_pairs(const State& state, DemWorkspace& work) {
         for (; n < p.inner.size() && p.inner[n] < block.outer_end; ++n) {
             const std::uint32_t outer = p.inner[n];
             work.i.push_back(p.i[outer]), work.j.push_back(p.j[outer]);
-            work.slot_i.push_back(work.outer_slot_i[outer]), work.slot_j.push_back(work.outer_slot_j[outer]);
+            work.slot_j.push_back(work.outer_slot_j[outer]);
             work.damping_Ns_m.push_back(work.outer_damping_Ns_m[outer]);
         }
         block.pair_end = static_cast<std::uint32_t>(n);

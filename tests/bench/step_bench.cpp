@@ -1,7 +1,6 @@
 // What a DEM step costs on a dense bed, at rest or avalanching; README.md says what is measured and how.
 #include <fmt/format.h>
 #include <malloc.h>
-#include <omp.h>
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <optional>
@@ -21,6 +19,7 @@
 #include "core/bitmath.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "dem/threads.hpp"
 #include "dem/vector_width.hpp"
 #include "record/checkpoint.hpp"
 #include "step/health.hpp"
@@ -324,7 +323,7 @@ void append_csv(const std::string& path, const Columns& columns) {
 }
 
 void run(const Request& r) {
-    omp_set_num_threads(r.threads);
+    set_threads(r.threads);
     Bed bed = find_bed(r);
     const Scene scene = make_bench_scene(bed.c, r);
     const Measured m = measure(scene, std::move(bed.state), r);
@@ -363,7 +362,6 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    setenv("OMP_WAIT_POLICY", "passive", 0);  // as the program itself
     try {
         return run_program(argc, argv);
     } catch (const Error& e) {
