@@ -107,6 +107,12 @@ std::string parametric_table(const std::vector<SlipGroup>& groups, const SoilPar
                             r.traction.motion_resistance_N.value, 90 - r.entry_rad * degrees,
                             90 - r.greatest_normal_rad * degrees, 1e3 * r.sinkage_m, r.torque_Nm);
     }
+    text += "\n\n";  // gnuplot: the travels are index 1
+    for (const SlipGroup& g : groups)
+        text += fmt::format("{:g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", g.slip_percent,
+                            mean_of(g, &StressRun::gross_tractive_effort_N), mean_of(g, &StressRun::net_traction_N),
+                            mean_of(g, &StressRun::motion_resistance_N), mean_of(g, &StressRun::integral_H_N),
+                            mean_of(g, &StressRun::integral_P_N), mean_of(g, &StressRun::integral_R_N));
     return text;
 }
 

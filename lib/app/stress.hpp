@@ -17,7 +17,8 @@ struct StressRequest {
 ///   relative_peak.csv  θ'_M/θ'_1 against slip
 ///   performance.csv    H, P_d, R by the controllers and by the integrals
 ///   load.csv           W by the integrals
-///   parametric.csv     the semi-empirical wheel on the same soil, with Wong & Reece's c1 and c2 of compact sand
+///   parametric.csv     the semi-empirical wheel on the same soil, with Wong & Reece's c1 and c2 of compact sand; then
+///                      the travels beside it: slip, H, P_d, R by the controllers, the same by the integrals
 /// Throws Error(bad_input) for a run without contact stress.
 void write_stress(const StressRequest& request);
 

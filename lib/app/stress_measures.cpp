@@ -283,6 +283,14 @@ void measure_balances(const std::vector<SlipGroup>& groups, Measures& m) {
     add_greatest(
         groups, m, "difference_R", [&](const StressRun& r) { return apart(r.motion_resistance_N, r.integral_R_N, r); },
         "R by controller less by integral, over W");
+    add_greatest(
+        groups, m, "difference_H_printed",
+        [&](const StressRun& r) { return apart(r.gross_tractive_effort_N, r.printed_H_N, r); },
+        "H by controller less by Eq 4.4 as printed, over W");
+    add_greatest(
+        groups, m, "difference_R_printed",
+        [&](const StressRun& r) { return apart(r.motion_resistance_N, r.printed_R_N, r); },
+        "R by controller less by Eq 4.5 as printed, over W");
 }
 
 /// Change of W by integral from the least to the greatest slip, by the line through all.

@@ -5,7 +5,7 @@ set xrange [-8:58]
 set yrange [50:125]
 set xlabel "slip [%]"
 set ylabel ylabel
-set key top left samplen 1.4 spacing 1.15 textcolor rgb ink
+set key outside bottom center horizontal Left reverse samplen 1.4 spacing 1.15 textcolor rgb ink
 set arrow 1 from -8,90 to 58,90 nohead linewidth 0.8 dashtype 2 linecolor rgb muted
 $text << EOD
 22,65

@@ -4,7 +4,7 @@ load style
 set xrange [-8:58]
 set xlabel "slip [%]"
 set ylabel ylabel
-set key top left samplen 1.8 spacing 1.1 textcolor rgb ink
+set key outside bottom center horizontal Left reverse samplen 1.8 spacing 1.1 textcolor rgb ink
 set xzeroaxis linecolor rgb muted linewidth 0.8
 h = "#0072b2"; p = "#d55e00"; r = "#009e73"
 plot data using 1:2 with lines linewidth 1.6 linecolor rgb h title "H, controllers", \
