@@ -27,6 +27,7 @@ bool is_partner(const MeasuredRun& candidate, const Run& variant) {
 
 /// The text's window, or the same share of a shorter travel.
 Window window_of(const Case& c) {
+    if (c.record.stress_segments > 0) return averaging_window(c);
     constexpr double full_travel_m = 0.8;
     const double scale = std::min(1.0, c.travel.distance_m / full_travel_m);
     const Window whole = averaging_window(c.travel.slip_percent);

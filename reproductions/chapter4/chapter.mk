@@ -8,12 +8,12 @@ REPORT  := build/reports/chapter4
 CASE    := $(CHAPTER)/cases/tyre.toml
 COMMAND ?= make reproduce-chapter4
 
-# tyre-WHAT-sSLIP-rREALISATION; m5 is −5 %. A realisation is a packing seed and a phase of the tyre's columns.
+# WHAT-tyre-sSLIP-rREALISATION; WHAT is `text`, or a variant; m5 is −5 %. A realisation is a packing seed and a phase of the tyre's columns.
 SLIPS := 22 7.5 37.5 55 1 m5
-MAIN  := $(foreach s,$(SLIPS),tyre-text-s$(s)-r1) $(foreach r,2 3 4 5 6 7 8,tyre-text-s22-r$(r))
+MAIN  := $(foreach s,$(SLIPS),text-tyre-s$(s)-r1) $(foreach r,2 3 4 5 6 7 8,text-tyre-s22-r$(r))
 
-# What the text leaves open, one run each at 22 % beside the eight of the main campaign.
-VARIANTS := rolling1 wall0 unlevelled loaded-slowly zeta0.05 zeta0.5 surface15 surface25 absolute \
+# What the text leaves open, one run each at 22 % beside the eight of the main campaign, which must be there.
+VARIANTS := rolling1 wall0 unlevelled loaded_slowly zeta0.05 zeta0.5 surface15 surface25 absolute \
             drawbarP0.1 drawbarP10 drawbarI0.1 drawbarI10 drawbarD0.1 drawbarD10 torqueP0.1 torqueP10
 sets_of_text          :=
 sets_of_rolling1      := --set contact.rolling_factor=1
@@ -44,7 +44,7 @@ sets_of_dt1.25e6 := --set time_step_s=1.25e-6
 PLATES := plate-127.5N plate-255N plate-510N plate-1020N
 PLATE_CASE := $(CHAPTER)/cases/plate.toml
 
-run_of = tyre-$(subst -,_,$(1))-s22-r1
+run_of = $(1)-tyre-s22-r1
 ifeq ($(SET),sensitivity)
 RUNS := $(foreach v,$(VARIANTS),$(call run_of,$(v)))
 else ifeq ($(SET),step)
@@ -71,16 +71,15 @@ include reproductions/chapter3/sweep.mk
 part = $(word $(2),$(subst -, ,$(1)))
 realisation_of = $(patsubst r%,%,$(call part,$(1),4))
 sets_of = --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) \
-          $(sets_of_$(call part,$(1),2))
+          $(sets_of_$(call part,$(1),1))
 slip_of = --set travel.slip_percent=$(subst m,-,$(patsubst s%,%,$(call part,$(1),3)))
 # Variants differ in what their beds are made of: each has its own.
-bed_of  = bed-$(call part,$(1),2)-r$(call realisation_of,$(1))
-sunk_of = sunk-$(call part,$(1),2)-r$(call realisation_of,$(1))
+bed_of  = bed-$(call part,$(1),1)-r$(call realisation_of,$(1))
+sunk_of = sunk-$(call part,$(1),1)-r$(call realisation_of,$(1))
 
-BEDS := $(sort $(foreach r,$(RUNS),$(call part,$(r),2)-s-r$(call realisation_of,$(r))))
-as_run = tyre-$(1)
-$(foreach b,$(BEDS),$(eval $(call bed_rule,$(call bed_of,$(call as_run,$(b))),$(CASE),$(call sets_of,$(call as_run,$(b))))))
-$(foreach b,$(BEDS),$(eval $(call sunk_rule,$(call sunk_of,$(call as_run,$(b))),$(CASE),$(call sets_of,$(call as_run,$(b))),$(call bed_of,$(call as_run,$(b))))))
+BEDS := $(sort $(foreach r,$(RUNS),$(call part,$(r),1)-tyre-s-r$(call realisation_of,$(r))))
+$(foreach b,$(BEDS),$(eval $(call bed_rule,$(call bed_of,$(b)),$(CASE),$(call sets_of,$(b)))))
+$(foreach b,$(BEDS),$(eval $(call sunk_rule,$(call sunk_of,$(b)),$(CASE),$(call sets_of,$(b)),$(call bed_of,$(b)))))
 $(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(CASE),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
 
 load_of = --set wheel.load_N=$(patsubst plate-%N,%,$(1)) --set bed.seed=1
@@ -103,7 +102,8 @@ report: $(INPUTS)
 
 table: $(INPUTS)
 	@mkdir -p $(REPORT)
-	@$(IFEDEM) metrics $(fresh_runs) -o $(REPORT)/$(SET).csv
+	@$(IFEDEM) effects --defaults $(wildcard $(OUT)/text-tyre-s22-r*) --variants $(fresh_runs) -o $(OUT)/$(SET)
+	@cp $(OUT)/$(SET)/effects.csv $(REPORT)/$(SET).csv
 	@echo "table: $(REPORT)/$(SET).csv"
 
 QUICK := build/runs/quick4
