@@ -91,6 +91,20 @@ std::vector<std::string> full_keys(const Case& c) {
     return keys;
 }
 
+/// A short label of changes: keys without their tables, each change once, no quotes.
+std::string shorten(const std::string& changes) {
+    std::vector<std::string> parts;
+    for (std::string rest = changes; !rest.empty();) {
+        const auto comma = rest.find(", ");
+        std::string part = rest.substr(0, comma);
+        rest = comma == std::string::npos ? "" : rest.substr(comma + 2);
+        part.erase(0, part.substr(0, part.find(' ')).find_last_of('.') + 1);
+        std::erase(part, '"');
+        if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 }  // namespace
 
 std::string describe_changes(const Case& from, const Case& to) {
@@ -195,7 +209,7 @@ std::optional<std::string> effects_data(const std::vector<Effect>& effects, cons
     for (const char* metric : judged) text += fmt::format(",{0},{0}_half_width", metric);
     text += '\n';
     for (std::size_t k = 0; k < labels.size(); ++k) {
-        std::vector<std::string> cells{std::to_string(k), labels[k]};
+        std::vector<std::string> cells{std::to_string(k), shorten(labels[k])};
         for (const char* metric : judged) {
             const Effect& e = *by_label[labels[k]].at(metric);
             cells.push_back(format_number(e.effect));

@@ -22,8 +22,10 @@ std::variant<TrendPoints, Missing> curve_points(const Campaign& campaign, const 
         return item.first < s.slip_from_percent - 1e-9 || item.first > s.slip_to_percent + 1e-9;
     });
     if (values.size() < fewest)
-        return Missing{fmt::format("only {} of the slips {:g}–{:g} % of {} were run", values.size(),
-                                   s.slip_from_percent, s.slip_to_percent, name_of(curve))};
+        return Missing{s.slip_from_percent < s.slip_to_percent
+                           ? fmt::format("only {} of the slips {:g}–{:g} % of {} were run", values.size(),
+                                         s.slip_from_percent, s.slip_to_percent, name_of(curve))
+                           : fmt::format("no run of {}, slip {:g} %", name_of(curve), s.slip_from_percent)};
     return trend_points(values, borrow_scatter(campaign, curve, metric_of(claim), claim_window(claim)).pooled);
 }
 

@@ -18,7 +18,7 @@ std::string symbol_of(const std::string& metric) { return std::string(find_metri
 enum class Sign { always, minus_only };
 
 std::string with_width(double value, double half_width, Sign sign) {
-    const int decimals = std::abs(value) < 10 && half_width < 10 ? 2 : 1;
+    const int decimals = (std::isfinite(half_width) ? half_width : std::abs(value)) < 1.5 ? 2 : 1;
     const char* plus = sign == Sign::always && value >= 0 ? "+" : "";
     if (!std::isfinite(half_width)) return fmt::format("{}{:.{}f}", plus, value, decimals);
     return fmt::format("{}{:.{}f} ± {:.{}f}", plus, value, decimals, half_width, decimals);

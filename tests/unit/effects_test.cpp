@@ -101,7 +101,8 @@ TEST_F(Effects, SurviveTheFileAndReachClaims) {
     EXPECT_NEAR(*m->uncertainty, direct[0].half_width, 1e-4);
     const auto data = effects_data(campaign.effects, "earth", 60);
     ASSERT_TRUE(data);
-    EXPECT_EQ(parse_csv(*data, "data").rows.size(), 1U);
+    ASSERT_EQ(parse_csv(*data, "data").rows.size(), 1U);
+    EXPECT_EQ(parse_csv(*data, "data").rows[0].cells[1], "rolling_chord full → half");
     EXPECT_FALSE(effects_data(campaign.effects, "mars", 60));
 }
 
