@@ -1,5 +1,6 @@
 #pragma once
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -81,9 +82,10 @@ inline std::string write_synthetic_run(const std::filesystem::path& parent, cons
     return directory.string();
 }
 
-/// A fresh directory for one test, below the system's place for temporary files.
+/// A fresh directory for one test, below the system's place for temporary files. The process number keeps two builds
+/// that test at the same time apart.
 inline std::filesystem::path fresh_directory(const std::string& name) {
-    const auto path = std::filesystem::temp_directory_path() / ("ifedem-" + name);
+    const auto path = std::filesystem::temp_directory_path() / fmt::format("ifedem-{}-{}", name, getpid());
     std::filesystem::remove_all(path);
     std::filesystem::create_directories(path);
     return path;
