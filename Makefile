@@ -14,7 +14,7 @@ SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 export JOBS IFEDEM
 
-.PHONY: help setup build test test-determinism bench bench-peers causes-chapter3 check sanitize sanitize-unit clean
+.PHONY: help setup build test test-determinism bench bench-peers causes-chapter3 verify-reports check sanitize sanitize-unit clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -66,6 +66,11 @@ sensitivity-chapter%: build ## what each choice that the text leaves open does t
 
 causes-chapter3: build ## the runs behind "Causes" in chapter 3's README
 	@$(MAKE) --no-print-directory -j$(JOBS) -f reproductions/chapter3/causes.mk causes
+
+# QUICK=1: the quick runs alone. RUNS="name ...": these. Else three runs of each report, drawn with SEED.
+SEED ?= $(shell date +%s)
+verify-reports: build ## rerun some runs of the committed reports from nothing and compare hashes
+	@reports/verify.sh $(if $(QUICK),quick,$(if $(RUNS),runs $(RUNS),draw 3 $(SEED)))
 
 check: build ## what a contributor runs before a commit: format, tidy, tests
 	@find lib tests -name '*.?pp' | xargs clang-format --dry-run -Werror

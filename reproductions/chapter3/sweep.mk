@@ -9,6 +9,7 @@
 include $(CHAPTER)/realisations.mk
 IFEDEM ?= build/ifedem
 JOBS   ?= $(shell nproc)
+STAGES ?= build/stages
 CASES  := $(filter-out %/short.toml,$(wildcard $(CHAPTER)/cases/*.toml))
 INPUTS := $(OUT)/inputs.txt
 
@@ -24,21 +25,21 @@ $(INPUTS): FORCE
 # NAME, case file, --set arguments. The recipes become the program by exec, so that a signal to make reaches it.
 define bed_rule
 $(OUT)/ready/$(1): $(INPUTS)
-	@$(IFEDEM) prepare --bed $(2) $(3) --quiet > /dev/null 2> $(OUT)/logs/$(1).log && touch $$@
+	@$(IFEDEM) prepare --bed $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log && touch $$@
 endef
 
 # NAME, case file, --set arguments, NAME of the bed
 define sunk_rule
 $(OUT)/ready/$(1): $(INPUTS) | $(OUT)/ready/$(4)
-	@$(IFEDEM) prepare $(2) $(3) --quiet > /dev/null 2> $(OUT)/logs/$(1).log && touch $$@
+	@$(IFEDEM) prepare $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log && touch $$@
 endef
 
 # NAME, case file, --set arguments, NAME of the sunk wheel
 define travel_rule
 $(OUT)/$(1)/run.csv: $(INPUTS) | $(OUT)/ready/$(4)
 	@exec > /dev/null 2> $(OUT)/logs/$(1).log; \
-	if [ $(OUT)/$(1)/checkpoint.h5 -nt $(INPUTS) ]; then exec $(IFEDEM) resume $(OUT)/$(1) --quiet; \
-	else exec $(IFEDEM) run $(2) -o $(OUT)/$(1) --force --quiet $(3); fi
+	if [ $(OUT)/$(1)/checkpoint.h5 -nt $(INPUTS) ]; then exec $(IFEDEM) resume $(OUT)/$(1) --stages $(STAGES) --quiet; \
+	else exec $(IFEDEM) run $(2) -o $(OUT)/$(1) --force --quiet --stages $(STAGES) $(3); fi
 endef
 
 # Runs that are done, as directories; what failed is not among them, nor what an older program left.
