@@ -32,6 +32,12 @@ Override to_override(const std::string& text) {
     return {text.substr(0, at), text.substr(at + 1)};
 }
 
+void allow_unstable(CLI::App& command, RunRequest& request) {
+    command.add_flag_callback(
+        "--allow-unstable", [&] { request.unstable_step = UnstableStep::allow; },
+        "go on with a time step beyond a limit");
+}
+
 void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets, int& code) {
     auto* run = app.add_subcommand("run", "simulate a case");
     run->add_option("case", request.case_path, "case file (TOML)")->required();
@@ -43,6 +49,7 @@ void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets,
         "--force", [&] { request.existing = Existing::replace; }, "replace an existing directory");
     run->add_flag_callback(
         "--quiet", [&] { request.show = Show::nothing; }, "no progress");
+    allow_unstable(*run, request);
     run->add_option("--stop-at-step", request.stop_at_step,
                     "leave a checkpoint after this many steps of all stages together");
     run->add_flag("--profile", request.profile, "print the CPU time of each phase of the step (of the first thread)");
@@ -63,6 +70,7 @@ void add_stage(CLI::App& app, RunRequest& request, std::vector<std::string>& set
     request.last_stage = Stage::sinkage;
     stage->add_flag_callback(
         "--bed", [&] { request.last_stage = Stage::consolidation; }, "consolidation only: wheels and loads share it");
+    allow_unstable(*stage, request);
     stage->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
         code = run_case(request);

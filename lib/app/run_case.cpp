@@ -123,6 +123,29 @@ struct KeepProfile {
     ~KeepProfile() { to = from; }
 };
 
+/// Step limits at the beginning of a stage. False: the step is beyond one, and none asked for that.
+bool accept_step(LiveRun& run, const Scene& scene, const HealthWatch& watch) {
+    const double dt = scene.dem.step_s;
+    if (run.request.show == Show::progress)
+        fmt::print("step limits, {} (time_step_s as a share of each):\n{}", stage_name(scene.stage),
+                   describe_limits(watch.limits, dt));
+    const StepLimit* worst = find_worst(watch.limits, dt, Among::certain);
+    if (worst == nullptr || run.request.unstable_step == UnstableStep::allow || run.state.progress.step > 0)
+        return true;
+    run.violation = refuse_step(run.state, *worst, watch, dt);
+    return false;
+}
+
+/// The same for what the case alone says, before anything is written.
+void refuse_unstable_case(const LiveRun& run) {
+    if (run.request.unstable_step == UnstableStep::allow) return;
+    for (const Stage stage : {Stage::consolidation, Stage::travel}) {
+        const auto limits = find_case_limits(make_scene(run.c, stage));
+        if (const StepLimit* worst = find_worst(limits, run.c.time_step_s, Among::certain))
+            fail_input(explain_excess(*worst, run.c.time_step_s) + " --allow-unstable runs it all the same.");
+    }
+}
+
 /// Steps through one stage. False: stopped by a signal or a health check.
 bool run_stage(LiveRun& run, Stage stage) {
     const Scene scene = make_scene(run.c, stage);
@@ -130,6 +153,8 @@ bool run_stage(LiveRun& run, Stage stage) {
     Workspace work = make_workspace(scene, run.state);
     work.profile = run.profile;
     const KeepProfile keep{work.profile, run.profile};
+    HealthWatch watch = begin_watch(scene, run.state);
+    if (!accept_step(run, scene, watch)) return false;
     State& state = run.state;
     const double dt = scene.dem.step_s;
     const std::uint64_t last = steps_of_stage(run.c, stage);
@@ -145,14 +170,19 @@ bool run_stage(LiveRun& run, Stage stage) {
     const std::uint64_t already = run.steps_made;
     while (state.progress.step < last) {
         if (is_due(state.progress.step + 1, energy)) {
-            add_to_ledger(state.energy, step_and_measure(scene, state, work), static_cast<double>(energy) * dt);
+            const double interval_s = static_cast<double>(energy) * dt;
+            const EnergyFlow flow = step_and_measure(scene, state, work);
+            add_to_ledger(state.energy, flow, interval_s);
+            run.violation = check_budget(scene, state, work, flow, interval_s, watch);
+            if (run.violation) return false;
         } else {
             step(scene, state, work);
         }
         const std::uint64_t at = state.progress.step;
         run.steps_made = already + at - offset;
         if (is_due(at, health_interval) || at == last) {
-            run.violation = check_health(scene, state, work);
+            run.violation = check_health(scene, state, work, watch);
+            if (!run.violation) run.violation = check_rest(scene, state, work, watch);
             if (run.violation) return false;
             if (run.progress) run.progress->show(run.steps_made, progress_note(state));
         }
@@ -278,6 +308,7 @@ int run_case(const RunRequest& request) {
     LiveRun run;
     run.request = request;
     run.c = read_case(request.case_path, request.overrides);
+    refuse_unstable_case(run);
     const std::string& dir = request.directory;
     if (!dir.empty() && fs::exists(dir) && !(fs::is_directory(dir) && fs::is_empty(dir))) {
         if (request.existing == Existing::refuse)

@@ -11,6 +11,7 @@ namespace ifedem {
 
 enum class Existing { refuse, replace };  ///< what `run` does with a directory that is already there
 enum class Show { progress, nothing };
+enum class UnstableStep { refuse, allow };  ///< what `run` does with a step beyond a limit
 
 struct RunRequest {
     std::string case_path;
@@ -21,6 +22,7 @@ struct RunRequest {
     int threads = 1;
     Existing existing = Existing::refuse;
     Show show = Show::progress;
+    UnstableStep unstable_step = UnstableStep::refuse;
     bool profile = false;
     std::uint64_t stop_at_step = 0;  ///< of all stages together; 0: go on to the end
 };

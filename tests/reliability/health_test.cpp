@@ -16,8 +16,10 @@ struct Outcome {
     std::string text;
 };
 
+enum class Unstable { allowed, refused };
+
 /// The short case on a tiny bed with the given overrides.
-Outcome run_with(const std::string& sets) {
+Outcome run_with(const std::string& sets, Unstable unstable = Unstable::allowed) {
     const auto root = std::filesystem::temp_directory_path() / ("ifedem-health-" + std::to_string(getpid()));
     const std::string command = std::string(IFEDEM_PROGRAM) + " run " + IFEDEM_SOURCE_DIR +
                                 "/reproductions/chapter3/cases/short.toml -o " + (root / "run").string() +
@@ -25,7 +27,7 @@ Outcome run_with(const std::string& sets) {
                                 " --quiet --force --set bed.disc_count=700 --set bed.length_m=0.5"
                                 " --set travel.start_x_m=0.2 --set travel.distance_m=0.02"
                                 " --set stages.consolidation_s=0.3 --set stages.sinkage_s=0.1 " +
-                                sets + " 2>&1";
+                                sets + (unstable == Unstable::allowed ? " --allow-unstable" : "") + " 2>&1";
     Outcome outcome;
     FILE* pipe = popen(command.c_str(), "r");
     std::array<char, 4096> buffer{};
@@ -50,6 +52,15 @@ TEST(Health, StopsAStepTooLargeForTheContacts) {
     const Outcome o = run_with("--set time_step_s=5e-4");
     EXPECT_EQ(o.code, 3) << o.text;
     EXPECT_NE(o.text.find("disc"), std::string::npos) << o.text;
+}
+
+TEST(Health, RefusesAStepBeyondALimit) {
+    for (const char* sets : {"--set time_step_s=5e-4", "--set control.scheme=explicit --set time_step_s=8e-5"}) {
+        const Outcome o = run_with(sets, Unstable::refused);
+        EXPECT_EQ(o.code, 2) << o.text;
+        EXPECT_NE(o.text.find("times the largest stable step"), std::string::npos) << o.text;
+        EXPECT_NE(o.text.find("--allow-unstable"), std::string::npos) << o.text;
+    }
 }
 
 TEST(Health, StopsAnOverloadedWheel) {
