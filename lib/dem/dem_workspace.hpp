@@ -12,7 +12,7 @@ struct alignas(32) DiscForce {
     double x_N = 0;
     double turning_N = 0;  ///< moment of the tangential forces over the radius, counter-clockwise
     double y_N = 0;
-    double rolling_limit_Nm = 0;  ///< Σ of Eq 2.18 over the disc's contacts, ≥ 0
+    double rolling_Nm = 0;  ///< Σ of Eq 2.18's limits, ≥ 0; of DemConstants::rolling_springs: their moment
 };
 
 /// A range of discs with the pairs that they own (as the lower list position) and the force slots they write to.
@@ -52,7 +52,7 @@ struct DemWorkspace {
     std::vector<std::uint32_t> i, j;    ///< list positions
     std::vector<std::uint32_t> slot_j;  ///< force slot of j; that of i follows from its block
     std::vector<double> damping_Ns_m;
-    std::vector<double> rolling_N;  ///< of DemConstants::rolling_springs, moment over reduced radius; else empty
+    std::vector<double> rolling_Nm;  ///< of DemConstants::rolling_springs, else empty
     std::vector<Merge> merge;
     std::vector<DiscForce> force;           ///< all blocks' slots
     std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
@@ -66,7 +66,7 @@ struct DemWorkspace {
     std::vector<WallCandidate> outer_wall;
     // Scratch of a refresh.
     std::vector<std::uint32_t> next_inner;
-    std::vector<double> next_spring_m, next_rolling_N;
+    std::vector<double> next_spring_m, next_rolling_Nm;
     std::vector<BoundaryContact> next_wall;
     bool refresh_inner = true;
     bool rebuild_outer = true;

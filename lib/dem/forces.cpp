@@ -12,7 +12,7 @@ namespace {
 
 void add_force(DiscForce& to, const DiscForce& f) {
     to.x_N += f.x_N, to.y_N += f.y_N;
-    to.turning_N += f.turning_N, to.rolling_limit_Nm += f.rolling_limit_Nm;
+    to.turning_N += f.turning_N, to.rolling_Nm += f.rolling_Nm;
 }
 
 void add_walls(const DemConstants& k, const Block& block, State& state, DemWorkspace& work, double spring_step_s) {
@@ -38,7 +38,7 @@ void add_block_forces(const DemConstants& k, const Block& block, State& state, D
     batch.slot_j = work.slot_j.data();
     batch.damping_Ns_m = work.damping_Ns_m.data();
     batch.spring_m = state.pairs.tangential_m.data();
-    batch.rolling_N = k.rolling_springs ? work.rolling_N.data() : nullptr;
+    batch.rolling_Nm = k.rolling_springs ? work.rolling_Nm.data() : nullptr;
     batch.force = work.force.data();
     batch.own_force = batch.force + (block.force_begin - block.disc_begin);  // slots before: no fewer than discs
     batch.begin = block.pair_begin, batch.end = block.pair_end;

@@ -24,7 +24,7 @@ void permute(std::vector<T>& items, const std::vector<std::uint32_t>& order) {
 /// A pair's springs, filed under its lower id.
 struct KeptSpring {
     std::uint32_t other_id = 0;
-    double tangential_m = 0, rolling_N = 0;
+    double tangential_m = 0, rolling_Nm = 0;
 };
 
 /// Springs by lower disc id; few a disc, so a linear search finds them.
@@ -47,7 +47,7 @@ KeptSprings keep_springs(const State& state, const DemWorkspace& work) {
     kept.begin.assign(id.size() + 1, 0);
     const auto each_loaded = [&](auto&& visit) {
         for (std::size_t n = 0; n < p.inner.size(); ++n) {
-            const double rolling = work.rolling_N.empty() ? 0.0 : work.rolling_N[n];
+            const double rolling = work.rolling_Nm.empty() ? 0.0 : work.rolling_Nm[n];
             if (p.tangential_m[n] == 0.0 && rolling == 0.0) continue;
             const std::uint32_t a = id[p.i[p.inner[n]]], b = id[p.j[p.inner[n]]];
             visit(std::min(a, b), KeptSpring{std::max(a, b), p.tangential_m[n], rolling});
@@ -161,11 +161,11 @@ void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work)
     p.inner.resize(p.i.size());
     std::iota(p.inner.begin(), p.inner.end(), 0U);
     p.tangential_m.resize(p.i.size());
-    if (k.rolling_springs) work.rolling_N.resize(p.i.size());
+    if (k.rolling_springs) work.rolling_Nm.resize(p.i.size());
     for (std::size_t n = 0; n < p.i.size(); ++n) {
         const KeptSpring spring = kept.find(discs.id[p.i[n]], discs.id[p.j[n]]);
         p.tangential_m[n] = spring.tangential_m;
-        if (k.rolling_springs) work.rolling_N[n] = spring.rolling_N;
+        if (k.rolling_springs) work.rolling_Nm[n] = spring.rolling_Nm;
     }
     ++work.rebuilds;
 }
@@ -182,8 +182,8 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(outer_count);
     p.inner.push_back(outer_count);  // sentinels: never met
     p.tangential_m.push_back(0.0);
-    const bool rolling_springs = !work.rolling_N.empty();
-    if (rolling_springs) work.rolling_N.push_back(0.0), work.next_rolling_N.resize(outer_count);
+    const bool rolling_springs = !work.rolling_Nm.empty();
+    if (rolling_springs) work.rolling_Nm.push_back(0.0), work.next_rolling_Nm.resize(outer_count);
     std::size_t kept = 0, old = 0;
     for (Block& block : work.block) {
         block.pair_begin = static_cast<std::uint32_t>(kept);
@@ -194,7 +194,7 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
             work.damping_Ns_m[kept] = work.outer_damping_Ns_m[n];
             work.next_inner[kept] = n;
             work.next_spring_m[kept] = was_listed ? p.tangential_m[old] : 0.0;
-            if (rolling_springs) work.next_rolling_N[kept] = was_listed ? work.rolling_N[old] : 0.0;
+            if (rolling_springs) work.next_rolling_Nm[kept] = was_listed ? work.rolling_Nm[old] : 0.0;
             old += was_listed ? 1U : 0U;
             const double skins_m = reference[p.i[n]].skin_m + reference[p.j[n]].skin_m;
             kept += is_within(disc[p.i[n]], disc[p.j[n]], skins_m) ? 1U : 0U;
@@ -205,7 +205,7 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(kept);
     p.inner.swap(work.next_inner);
     p.tangential_m.swap(work.next_spring_m);
-    if (rolling_springs) work.next_rolling_N.resize(kept), work.rolling_N.swap(work.next_rolling_N);
+    if (rolling_springs) work.next_rolling_Nm.resize(kept), work.rolling_Nm.swap(work.next_rolling_Nm);
     ++work.refreshes;
 }
 
@@ -269,7 +269,7 @@ void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
     lay_out(k, state, work);
     unpack_pairs(state, work);
     unpack_walls(state, work);
-    if (k.rolling_springs) work.rolling_N.assign(work.i.size(), 0.0);
+    if (k.rolling_springs) work.rolling_Nm.assign(work.i.size(), 0.0);
     const auto left = [&](std::size_t p) { return has_left(state.discs.disc[p], state.pairs.inner_reference[p]); };
     for (std::size_t p = 0; p < state.discs.disc.size(); ++p)
         if (left(p)) return ask_for_lists(state, work);

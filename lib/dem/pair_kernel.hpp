@@ -14,7 +14,7 @@ struct PairBatch {
     const std::uint32_t *i = nullptr, *j = nullptr, *slot_j = nullptr;
     const double* damping_Ns_m = nullptr;
     double* spring_m = nullptr;
-    double* rolling_N = nullptr;     ///< nullptr: Eq 2.18
+    double* rolling_Nm = nullptr;    ///< nullptr: Eq 2.18
     DiscForce* force = nullptr;      ///< by slot
     DiscForce* own_force = nullptr;  ///< of the block's own discs, i among them, by list position
     std::uint32_t begin = 0, end = 0;
@@ -48,22 +48,21 @@ struct PairMotion {
     V rim_speed;  ///< ω_i r_i + ω_j r_j
     // For rolling springs only.
     V omega, reduced_radius;  ///< ω_i − ω_j
-    V share_i, share_j;       ///< reduced radius / r_i, / r_j
 };
 
 /// What a pair remembers.
 template <class V>
 struct PairMemory {
     V spring;   ///< Δu_s of Eq 2.17
-    V rolling;  ///< moment of a rolling spring over the reduced radius
+    V rolling;  ///< moment of a rolling spring
 };
 
 /// What a pair gives to its discs: the force on j, of which i gets the opposite, and what turns them.
 template <class V>
 struct PairForces {
     V x, y;
-    V turning_i, turning_j;  ///< moment over radius; one value for both without rolling springs
-    V rolling;               ///< Eq 2.18's limit, the same for both
+    V turning;  ///< moment over radius, the same for both
+    V rolling;  ///< Eq 2.18's limit, the same for both; a rolling spring's moment on j, of which i gets the opposite
     PairMemory<V> memory;
 };
 
@@ -84,10 +83,8 @@ IFEDEM_INLINE PairMotion<V> pair_motion(const PairSides<V>& p) {
     m.ux = p.vx, m.uy = p.vy;
     m.rim_speed = p.omega_i * p.radius_i + p.omega_j * p.radius_j;
     if constexpr (R == PairRolling::spring) {
-        const V inverse_radii = -both * distance;
         m.omega = p.omega_i - p.omega_j;
-        m.share_i = p.radius_j * inverse_radii, m.share_j = p.radius_i * inverse_radii;
-        m.reduced_radius = p.radius_i * m.share_i;
+        m.reduced_radius = (p.radius_i * p.radius_j) * (-both * distance);
     }
     return m;
 }
@@ -103,15 +100,13 @@ IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairMot
     PairForces<V> out{f.normal_N * p.nx - f.tangential_N * p.ny,
                       f.normal_N * p.ny + f.tangential_N * p.nx,
                       turning,
-                      turning,
                       f.rolling_limit_Nm,
                       {f.tangential_spring_m, V(0.0)}};
     if constexpr (R == PairRolling::spring) {
-        const V cap = k.rolling_cap * max_of(f.normal_N, V(0.0));
-        const V trial = old.rolling + (k.tangential_stiffness_N_m * p.reduced_radius) * (p.omega * step_s);
-        const V rolling = max_of(-cap, min_of(cap, trial));
-        out.turning_i = turning - rolling * p.share_i, out.turning_j = turning + rolling * p.share_j;
-        out.rolling = V(0.0), out.memory.rolling = rolling;
+        const V cap = (k.rolling_cap * p.reduced_radius) * max_of(f.normal_N, V(0.0));
+        const V stiffness = k.tangential_stiffness_N_m * (p.reduced_radius * p.reduced_radius);
+        out.rolling = max_of(-cap, min_of(cap, old.rolling + stiffness * (p.omega * step_s)));
+        out.memory.rolling = out.rolling;
     }
     return out;
 }
@@ -123,13 +118,14 @@ IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, s
     const Disc &i = b.disc[b.i[n]], &j = b.disc[b.j[n]];
     const PairSides<double> sides{i.x_m - j.x_m, i.y_m - j.y_m, i.vx_m_s - j.vx_m_s, i.vy_m_s - j.vy_m_s,
                                   i.omega_rad_s, i.radius_m,    j.omega_rad_s,       j.radius_m};
-    const PairMemory<double> old{b.spring_m[n], springs ? b.rolling_N[n] : 0.0};
+    const PairMemory<double> old{b.spring_m[n], springs ? b.rolling_Nm[n] : 0.0};
     const auto f = pair_forces<R, double>(k, pair_motion<R>(sides), b.damping_Ns_m[n], old, b.spring_step_s);
     b.spring_m[n] = f.memory.spring;
-    if constexpr (springs) b.rolling_N[n] = f.memory.rolling;
+    if constexpr (springs) b.rolling_Nm[n] = f.memory.rolling;
     DiscForce &on_i = b.own_force[b.i[n]], &on_j = b.force[b.slot_j[n]];
-    on_i.x_N -= f.x, on_i.y_N -= f.y, on_i.turning_N += f.turning_i, on_i.rolling_limit_Nm += f.rolling;
-    on_j.x_N += f.x, on_j.y_N += f.y, on_j.turning_N += f.turning_j, on_j.rolling_limit_Nm += f.rolling;
+    on_i.x_N -= f.x, on_i.y_N -= f.y, on_i.turning_N += f.turning;
+    on_i.rolling_Nm += springs ? -f.rolling : f.rolling;
+    on_j.x_N += f.x, on_j.y_N += f.y, on_j.turning_N += f.turning, on_j.rolling_Nm += f.rolling;
 }
 
 using Two = RawVector<2>::Type;
@@ -246,25 +242,24 @@ IFEDEM_INLINE void add_to_j(DiscForce& to, const Four& f) {
     const Four sum = load_as<Four>(&to.x_N) + f;
     __builtin_memcpy(&to.x_N, &sum, sizeof sum);
 }
-/// The force is the opposite one, what turns is the same: one instruction where vectors can add and subtract in turn.
+/// The force is the opposite one, what turns is the same (of a rolling spring's moment: the opposite too). One
+/// instruction where vectors can add and subtract in turn.
+template <PairRolling R>
 IFEDEM_INLINE void add_to_i(DiscForce& to, const Four& f) {
     const Four old = load_as<Four>(&to.x_N), less = old - f, more = old + f;
-    const Four sum = __builtin_shufflevector(less, more, 0, 5, 2, 7);
+    const Four sum = __builtin_shufflevector(less, more, 0, 5, 2, R == PairRolling::spring ? 3 : 7);
     __builtin_memcpy(&to.x_N, &sum, sizeof sum);
 }
 
 /// Sums pair by pair, i before j: the order of the scalar loop, hence its bits.
 template <PairRolling R, int W>
 IFEDEM_INLINE void scatter(const PairBatch& b, std::uint32_t n, const PairForces<Pack<W>>& f) {
-    using Raw = typename Pack<W>::Raw;
-    Four for_i[W], for_j[W];
-    to_records(ForceColumns<Raw>{f.x.v, f.y.v, f.turning_j.v, f.rolling.v}, for_j);
-    if constexpr (R == PairRolling::spring)
-        to_records(ForceColumns<Raw>{f.x.v, f.y.v, f.turning_i.v, f.rolling.v}, for_i);
+    Four record[W];
+    to_records(ForceColumns<typename Pack<W>::Raw>{f.x.v, f.y.v, f.turning.v, f.rolling.v}, record);
     for (int lane = 0; lane < W; ++lane) {
         const std::uint32_t at = n + static_cast<std::uint32_t>(lane);
-        add_to_i(b.own_force[b.i[at]], (R == PairRolling::spring ? for_i : for_j)[lane]);
-        add_to_j(b.force[b.slot_j[at]], for_j[lane]);
+        add_to_i<R>(b.own_force[b.i[at]], record[lane]);
+        add_to_j(b.force[b.slot_j[at]], record[lane]);
     }
 }
 
@@ -279,10 +274,10 @@ template <PairRolling R, int W>
 IFEDEM_INLINE PairForces<Pack<W>> compute(const ContactConstants& k, const PairBatch& b, std::uint32_t n,
                                           const PairMotion<Pack<W>>& motion) {
     using P = Pack<W>;
-    const PairMemory<P> old{P(b.spring_m + n), R == PairRolling::spring ? P(b.rolling_N + n) : P(0.0)};
+    const PairMemory<P> old{P(b.spring_m + n), R == PairRolling::spring ? P(b.rolling_Nm + n) : P(0.0)};
     const auto f = pair_forces<R, P>(k, motion, P(b.damping_Ns_m + n), old, b.spring_step_s);
     f.memory.spring.store(b.spring_m + n);
-    if constexpr (R == PairRolling::spring) f.memory.rolling.store(b.rolling_N + n);
+    if constexpr (R == PairRolling::spring) f.memory.rolling.store(b.rolling_Nm + n);
     return f;
 }
 
@@ -313,7 +308,7 @@ IFEDEM_INLINE void add_pairs_as(const ContactConstants& constants, const PairBat
 
 template <int W>
 IFEDEM_INLINE void add_pairs(const ContactConstants& k, const PairBatch& batch) {
-    if (batch.rolling_N == nullptr)
+    if (batch.rolling_Nm == nullptr)
         add_pairs_as<PairRolling::chord, W>(k, batch);
     else
         add_pairs_as<PairRolling::spring, W>(k, batch);

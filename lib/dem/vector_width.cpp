@@ -13,7 +13,7 @@ namespace {
 /// The scalar fallback, and what the vector kernels must equal.
 void add_pairs_scalar(const ContactConstants& k, const PairBatch& batch) {
     for (std::uint32_t n = batch.begin; n < batch.end; ++n)
-        if (batch.rolling_N == nullptr)
+        if (batch.rolling_Nm == nullptr)
             add_one_pair<PairRolling::chord>(k, batch, n);
         else
             add_one_pair<PairRolling::spring>(k, batch, n);

@@ -12,7 +12,7 @@ DiscAcceleration acceleration_of(const DemConstants& k, const Disc& d, const Dis
     const double dt = k.step_s;
     const double per_inertia = 2.0 * d.inverse_mass_1_kg / (d.radius_m * d.radius_m);
     const double free = d.omega_rad_s + dt * per_inertia * (d.radius_m * f.turning_N);
-    const double after = apply_rolling(k.rolling, free, d.omega_rad_s, dt * per_inertia * f.rolling_limit_Nm);
+    const double after = apply_rolling(k.rolling, free, d.omega_rad_s, dt * per_inertia * f.rolling_Nm);
     return {d.inverse_mass_1_kg * f.x_N + k.gravity_m_s2.x, d.inverse_mass_1_kg * f.y_N + k.gravity_m_s2.y,
             (after - d.omega_rad_s) / dt, 0.0};
 }
@@ -53,15 +53,24 @@ void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspac
     const Vec2 fall = dt * k.gravity_m_s2;
     const RollingScheme rolling = k.rolling;
     const double* spin_per_moment = work.spin_per_moment.data();
-    move_discs(state, work, block, [=](Disc& d, const DiscForce& f, std::uint32_t p) {
-        const double impulse = dt * d.inverse_mass_1_kg, spin = spin_per_moment[p];
+    const auto travel = [=](Disc& d, const DiscForce& f) {
+        const double impulse = dt * d.inverse_mass_1_kg;
         d.vx_m_s += impulse * f.x_N + fall.x;
         d.vy_m_s += impulse * f.y_N + fall.y;
-        d.omega_rad_s = apply_rolling(rolling, d.omega_rad_s + spin * (d.radius_m * f.turning_N), d.omega_rad_s,
-                                      spin * f.rolling_limit_Nm);
         d.x_m += dt * d.vx_m_s;
         d.y_m += dt * d.vy_m_s;
         d.angle_rad += dt * d.omega_rad_s;
+    };
+    if (k.rolling_springs)
+        return move_discs(state, work, block, [=](Disc& d, const DiscForce& f, std::uint32_t p) {
+            d.omega_rad_s += spin_per_moment[p] * (d.radius_m * f.turning_N + f.rolling_Nm);
+            travel(d, f);
+        });
+    move_discs(state, work, block, [=](Disc& d, const DiscForce& f, std::uint32_t p) {
+        const double spin = spin_per_moment[p];
+        d.omega_rad_s = apply_rolling(rolling, d.omega_rad_s + spin * (d.radius_m * f.turning_N), d.omega_rad_s,
+                                      spin * f.rolling_Nm);
+        travel(d, f);
     });
 }
 

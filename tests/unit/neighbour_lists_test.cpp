@@ -121,7 +121,7 @@ void compare(const World& w, const reference::Dem& all_pairs, double gravity_sca
         worst.force = std::fmax(worst.force, norm(Vec2{got.x_N, got.y_N} - want.force_N) / force);
         worst.moment = std::fmax(worst.moment,
                                  std::fabs(w.state.discs.disc[p].radius_m * got.turning_N - want.moment_Nm) / moment);
-        worst.rolling = std::fmax(worst.rolling, std::fabs(got.rolling_limit_Nm - want.rolling_limit_Nm) / rolling);
+        worst.rolling = std::fmax(worst.rolling, std::fabs(got.rolling_Nm - want.rolling_limit_Nm) / rolling);
     }
     double spring = 1e-9;
     for (const auto& [pair, u] : all_pairs.pair_spring_m) spring = std::fmax(spring, std::fabs(u));

@@ -414,9 +414,8 @@ TEST(Rolling, spring_of_other_codes_is_linear_up_to_its_cap) {
         for (std::uint32_t id = 0; id < 2 * pairs; ++id) {
             const double sign = id % 2 == 0 ? -1 : 1;
             const DiscForce& f = force_on(w, position_of(w, id));
-            const double moment = (id % 2 == 0 ? ra : rb) * f.turning_N;
-            worst = std::fmax(worst, std::fabs(moment / (sign * std::fmin(spring, limit)) - 1));
-            EXPECT_EQ(f.rolling_limit_Nm, 0.0);
+            worst = std::fmax(worst, std::fabs(f.rolling_Nm / (sign * std::fmin(spring, limit)) - 1));
+            EXPECT_EQ(f.turning_N, 0.0);
         }
     }
     EXPECT_TRUE(capped);
