@@ -11,12 +11,13 @@ namespace ifedem {
 
 void draw_pictures(const std::string& run_directory, const std::string& out_directory, long frame) {
     const std::string path = run_directory + "/results.h5";
-    const auto count = static_cast<long>(read_frame_list(path).size());
+    const FrameReader results(path);
+    const auto count = static_cast<long>(results.frames().size());
     const long number = frame < 0 ? count - 1 : frame;
     if (number < 0 || number >= count)
         fail_input(fmt::format("{} has no frame {} (it holds {}). Choose --frame below that?", path, frame, count));
-    const FrameFileHeader header = read_frame_header(path);
-    const Frame shown = read_frame(path, static_cast<std::uint64_t>(number));
+    const FrameFileHeader header = results.header();
+    const Frame shown = results.read(static_cast<std::uint64_t>(number));
     const double length_m = parse_case(header.case_text, path).bed.length_m;
     const Vec2 hub = shown.hub_position_m;
     SnapshotOptions near;

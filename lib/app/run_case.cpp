@@ -19,6 +19,7 @@
 #include "dem/bed.hpp"
 #include "dem/threads.hpp"
 #include "record/checkpoint.hpp"
+#include "record/directory_lock.hpp"
 #include "record/results.hpp"
 #include "step/energy.hpp"
 #include "step/fields.hpp"
@@ -81,6 +82,7 @@ Frame take_frame(const Scene& scene, const State& state, const Workspace& work) 
 /// A run in progress: what the loop and the end of a run share.
 struct LiveRun {
     RunRequest request;
+    DirectoryLock lock;
     Case c;
     State state;
     std::unique_ptr<Recorder> recorder;
@@ -203,18 +205,28 @@ void keep_stage(const LiveRun& run, Stage stage) {
     if (stage == Stage::travel) return;
     const std::string directory = stage_directory(run, stage);
     fs::create_directories(directory);
+    const DirectoryLock lock(directory, Busy::wait);  // another run may end the same stage
     write_file_atomically(directory + "/stage.csv", to_csv(describe_stage(run.c, run.state, stage)));
     write_checkpoint(directory + "/checkpoint.h5", run.state, run.c);
+}
+
+/// A damaged file of the cache costs time, not the run.
+std::optional<State> read_stage(const std::string& path) {
+    if (!fs::exists(path)) return std::nullopt;
+    try {
+        return read_checkpoint(path).state;
+    } catch (const Error& error) {
+        fmt::print(stderr, "note: {} The stage is simulated anew.\n", error.what());
+        return std::nullopt;
+    }
 }
 
 /// Starts from the furthest stage in the cache.
 State find_beginning(const LiveRun& run, Stage& next) {
     for (const Stage s : {Stage::sinkage, Stage::consolidation}) {
         if (s > run.request.last_stage) continue;
-        const std::string path = stage_directory(run, s) + "/checkpoint.h5";
-        if (!fs::exists(path)) continue;
         next = s == Stage::sinkage ? Stage::travel : Stage::sinkage;
-        return read_checkpoint(path).state;
+        if (auto state = read_stage(stage_directory(run, s) + "/checkpoint.h5")) return std::move(*state);
     }
     next = Stage::consolidation;
     return make_initial_state(run.c);
@@ -273,9 +285,6 @@ int go_through_stages(LiveRun& run, Stage first) {
     const auto wall0 = std::chrono::steady_clock::now();
     set_threads(run.request.threads);
     run.profile.on = run.request.profile;
-    signal_seen = 0;
-    std::signal(SIGTERM, note_signal);
-    std::signal(SIGINT, note_signal);
     const std::string label = fs::path(run.request.directory.empty() ? run.c.name : run.request.directory).filename();
     run.progress = std::make_unique<ProgressLine>(label, remaining_total(run), run.request.show == Show::nothing);
     for (const Stage stage : {Stage::consolidation, Stage::sinkage, Stage::travel}) {
@@ -290,9 +299,11 @@ int go_through_stages(LiveRun& run, Stage first) {
             return static_cast<int>(ExitCode::health);
         }
         const int signal = signal_seen;
-        fmt::print(stderr, "{}: stopped {}; `ifedem resume {}` goes on from step {}\n", label,
-                   signal != 0 ? fmt::format("by signal {}", signal) : "as asked", run.request.directory,
-                   run.state.progress.total_steps);
+        const std::string next = run.recorder ? fmt::format("`ifedem resume {}` goes on from step {}",
+                                                            run.request.directory, run.state.progress.total_steps)
+                                              : "of an unfinished stage nothing is kept";
+        fmt::print(stderr, "{}: stopped {}; {}\n", label,
+                   signal != 0 ? fmt::format("by signal {}", signal) : "as asked", next);
         if (signal != 0) return 128 + signal;
         fmt::print("state-hash: {}\n", to_hex(hash_state(run.state)));
         return static_cast<int>(ExitCode::done);
@@ -302,47 +313,84 @@ int go_through_stages(LiveRun& run, Stage first) {
     return finish(run, cpu_seconds() - cpu0, wall_s);
 }
 
-}  // namespace
+void watch_signals() {
+    signal_seen = 0;
+    std::signal(SIGTERM, note_signal);
+    std::signal(SIGINT, note_signal);
+}
 
-int run_case(const RunRequest& request) {
-    LiveRun run;
-    run.request = request;
-    run.c = read_case(request.case_path, request.overrides);
-    refuse_unstable_case(run);
+/// Nothing but perhaps the lock of a run that was stopped before it began.
+bool is_unused(const fs::path& directory) {
+    if (!fs::exists(directory)) return true;
+    if (!fs::is_directory(directory)) return false;
+    for (const auto& entry : fs::directory_iterator(directory))
+        if (entry.path().filename() != DirectoryLock::file_name) return false;
+    return true;
+}
+
+void refuse_directory(const RunRequest& request) {
     const std::string& dir = request.directory;
-    if (!dir.empty() && fs::exists(dir) && !(fs::is_directory(dir) && fs::is_empty(dir))) {
-        if (request.existing == Existing::refuse)
-            fail_input(
-                fmt::format("{} exists already (a run would overwrite it). Choose another -o, or add --force.", dir));
-        fs::remove_all(dir);
+    if (is_unused(dir)) return;
+    if (request.existing == Existing::refuse)
+        fail_input(
+            fmt::format("{} exists already (a run would overwrite it). Choose another -o, or add --force.", dir));
+    if (!fs::exists(fs::path(dir) / "case.toml"))
+        fail_input(fmt::format(
+            "{} holds no run (it has no case.toml, so --force does not empty it). Choose another -o.", dir));
+}
+
+/// Takes everything but the lock and the case out of a run's directory; the case is what marks it as one.
+void empty_directory(const fs::path& directory) {
+    for (const auto& entry : fs::directory_iterator(directory)) {
+        const fs::path name = entry.path().filename();
+        if (name != DirectoryLock::file_name && name != "case.toml") fs::remove_all(entry.path());
     }
+}
+
+int start_run(LiveRun& run) {
     Stage first = Stage::consolidation;
     run.state = find_beginning(run, first);
-    if (!dir.empty()) run.recorder = std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel));
+    if (!run.request.directory.empty())
+        run.recorder = std::make_unique<Recorder>(run.request.directory, run.c, make_wheel_mesh(run.c.wheel));
     run.state.progress.stage = first;
     run.state.progress.step = 0;
     return go_through_stages(run, first);
 }
 
+}  // namespace
+
+int run_case(const RunRequest& request) {
+    watch_signals();
+    LiveRun run;
+    run.request = request;
+    run.c = read_case(request.case_path, request.overrides);
+    refuse_unstable_case(run);
+    if (const std::string& dir = request.directory; !dir.empty()) {
+        refuse_directory(request);
+        fs::create_directories(dir);
+        run.lock = DirectoryLock(dir, Busy::refuse);
+        refuse_directory(request);  // another run may have come in between
+        empty_directory(dir);
+    }
+    return start_run(run);
+}
+
 int resume_case(const RunRequest& request) {
+    watch_signals();
     LiveRun run;
     run.request = request;
     const std::string& dir = request.directory;
+    if (!fs::exists(fs::path(dir) / "case.toml"))
+        fail_input(fmt::format("{} holds no run (there is no case.toml in it). Check the path, or run the case?", dir));
+    run.lock = DirectoryLock(dir, Busy::refuse);
     if (!fs::exists(checkpoint_path(run))) {
         if (fs::exists(dir + "/run.csv")) {
             fmt::print("{} is complete\n", dir);
             return static_cast<int>(ExitCode::done);
         }
-        RunRequest again = request;
-        again.case_path = dir + "/case.toml";
-        run.c = read_case(again.case_path);  // before anything is removed
-        const std::string kept = dir + ".case.toml";
-        fs::copy_file(again.case_path, kept, fs::copy_options::overwrite_existing);
-        again.case_path = kept;
-        again.existing = Existing::replace;
-        const int code = run_case(again);
-        fs::remove(kept);
-        return code;
+        run.c = read_case(dir + "/case.toml");  // before anything is removed
+        empty_directory(dir);
+        return start_run(run);
     }
     Checkpoint checkpoint = read_checkpoint(checkpoint_path(run));
     if (checkpoint.results_version != results_version)

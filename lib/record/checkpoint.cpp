@@ -28,19 +28,6 @@ constexpr std::array<char, 8> trailer_magic = {'i', 'f', 'e', 'd', 'e', 'm', 'c'
 constexpr std::size_t trailer_size = 16;
 constexpr std::int64_t format_version = 1;
 
-std::uint64_t checksum(std::span<const std::byte> bytes) {
-    Hasher hasher;
-    hasher.add(static_cast<std::uint64_t>(bytes.size()));
-    while (!bytes.empty()) {
-        const std::size_t size = std::min<std::size_t>(bytes.size(), sizeof(std::uint64_t));
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes.data(), size);
-        hasher.add(word);
-        bytes = bytes.subspan(size);
-    }
-    return hasher.value();
-}
-
 // ---------------------------------------------------------------------------------------------- the layout of members
 
 /// An aggregate of doubles, as state.hpp promises: HDF5 copies the bits without looking at them.

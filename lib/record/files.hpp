@@ -33,6 +33,7 @@ public:
     void truncate(std::uint64_t size);
     /// Returns when the data are on the disk.
     void sync();
+    [[nodiscard]] int descriptor() const { return descriptor_; }
 
 private:
     std::string path_;

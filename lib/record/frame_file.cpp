@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <numeric>
 #include <span>
 #include <type_traits>
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "record/checkpoint.hpp"
 #include "record/hdf5.hpp"
 
@@ -117,10 +119,11 @@ void make_file(const std::string& path, const FrameFileHeader& header, const Fra
     hdf5::File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, file_access(path)), "make", path);
     hdf5::write_text_attribute(file, "case", header.case_text, path);
     hdf5::write_integer_attribute(file, "results_version", results_version, path);
-    const std::uint64_t no_frames = 0;
-    const hdf5::Dataset count = make_dataset(file, "frame_count", "1", H5T_NATIVE_UINT64, {}, path);
-    check(H5Dwrite(count, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &no_frames), "write", path);
-
+    {  // closed before the file: else HDF5 writes the rest when the last handle goes, where nobody hears of an error
+        const std::uint64_t no_frames = 0;
+        const hdf5::Dataset count = make_dataset(file, "frame_count", "1", H5T_NATIVE_UINT64, {}, path);
+        check(H5Dwrite(count, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &no_frames), "write", path);
+    }
     const Mesh& mesh = header.mesh;
     const hsize_t quads = mesh.quad.size();
     write_table(file, "wheel/reference_m", "m", {mesh.node_m.size(), 2}, mesh.node_m.data(), path);
@@ -178,9 +181,9 @@ FrameRoom read_room(const hdf5::File& file, const std::string& path) {
     return {discs[0], discs[1], nodes[1]};
 }
 
-std::vector<FrameInfo> read_list(const hdf5::File& file, const std::string& path) {
+/// `count` is the seal's, which is ahead of the file's own when its writer was killed between the two.
+std::vector<FrameInfo> read_list(const hdf5::File& file, std::uint64_t count, const std::string& path) {
     const FrameRoom room = read_room(file, path);
-    const std::uint64_t count = read_all<std::uint64_t>(file, "frame_count", 1, path)[0];
     const auto time = read_all<double>(file, "frames/time_s", room.frames, path);
     const auto stage = read_all<Stage>(file, "frames/stage", room.frames, path);
     const auto step = read_all<std::uint64_t>(file, "frames/step", room.frames, path);
@@ -232,20 +235,72 @@ std::uint64_t place_of(const hdf5::File& file, const char* name, const std::stri
     return place == HADDR_UNDEF ? 0 : place;  // undefined for an empty dataset, to which nothing is ever written
 }
 
+/// Columns of the layout that every frame has beside those of for_each_column.
+constexpr std::array<const char*, 2> length_columns = {"frames/disc_count", "frames/node_count"};
+
+FrameLayout find_layout(const hdf5::File& file, const FrameRoom& room, std::uint64_t hdf5_size,
+                        const std::string& path) {
+    FrameLayout layout{hdf5_size, room.frames, place_of(file, "frame_count", path), {}};
+    for (const char* name : length_columns)
+        layout.columns.push_back({place_of(file, name, path), sizeof(std::uint64_t)});
+    const Frame shape;
+    for_each_column(shape, [&](const char* name, const char*, Extent extent, const auto& member) {
+        using T = ElementOf<std::remove_reference_t<decltype(member)>>;
+        layout.columns.push_back({place_of(file, name, path), room_of(extent, room) * sizeof(T)});
+    });
+    return layout;
+}
+
 }  // namespace
+
+// ------------------------------------------------------------------------------------------------------------ reading
+
+struct FrameReader::Impl {
+    std::string path;
+    FrameFileStatus status;
+    hdf5::File file;
+    std::vector<FrameInfo> frames;
+};
+
+FrameReader::FrameReader(std::string path) : impl_(std::make_unique<Impl>()) {
+    impl_->path = std::move(path);
+    impl_->status = verify_frame_file(impl_->path);
+    impl_->file = open_to_read(impl_->path);
+    impl_->frames = read_list(impl_->file, impl_->status.frames, impl_->path);
+}
+
+FrameReader::~FrameReader() = default;
+FrameReader::FrameReader(FrameReader&&) noexcept = default;
+FrameReader& FrameReader::operator=(FrameReader&&) noexcept = default;
+
+const std::vector<FrameInfo>& FrameReader::frames() const { return impl_->frames; }
+
+Frame FrameReader::read(std::uint64_t number) const {
+    if (number >= frames().size()) {
+        fail_io("'" + impl_->path + "' has no frame " + std::to_string(number) + " (it has " +
+                std::to_string(frames().size()) + "). Ask for an earlier one?");
+    }
+    return read_one(impl_->file, frames()[number], number, impl_->path);
+}
+
+FrameFileHeader FrameReader::header() const { return read_header(impl_->file, impl_->path); }
+
+std::vector<FrameInfo> read_frame_list(const std::string& path) { return FrameReader(path).frames(); }
+Frame read_frame(const std::string& path, std::uint64_t number) { return FrameReader(path).read(number); }
+FrameFileHeader read_frame_header(const std::string& path) { return FrameReader(path).header(); }
 
 // ------------------------------------------------------------------------------------------------------------ writing
 
 FrameFile FrameFile::create(const std::string& path, FrameFileHeader header, std::uint64_t first_discs) {
     constexpr std::uint64_t first_frames = 16;
     FrameFile result(path, std::move(header));
-    result.remake({first_frames, first_discs, result.header_.mesh.node_m.size()});
+    result.remake({first_frames, first_discs, result.header_.mesh.node_m.size()}, 0);
     return result;
 }
 
 FrameFile FrameFile::open(const std::string& path, FrameFileHeader header) {
     FrameFile result(path, std::move(header));
-    const FrameFileHeader stored = read_frame_header(path);
+    const FrameFileHeader stored = FrameReader(path).header();
     // Compared by value: the comments of a case file may change from one version of the program to the next.
     if (to_toml(parse_case(stored.case_text, path)) != to_toml(parse_case(result.header_.case_text, path)) ||
         stored.mesh.quad != result.header_.mesh.quad) {
@@ -259,29 +314,61 @@ FrameFile FrameFile::open(const std::string& path, FrameFileHeader header) {
 
 /// Learns where everything stands and opens the file for writing behind HDF5's back.
 void FrameFile::attach() {
-    const hdf5::File file = open_to_read(path_);
-    room_ = read_room(file, path_);
-    frames_ = read_list(file, path_);
-    frame_count_offset_ = place_of(file, "frame_count", path_);
-    disc_count_offset_ = place_of(file, "frames/disc_count", path_);
-    node_count_offset_ = place_of(file, "frames/node_count", path_);
-    column_offset_.clear();
-    const Frame shape;
-    for_each_column(shape, [&](const char* name, const char*, Extent, const auto&) {
-        column_offset_.push_back(place_of(file, name, path_));
-    });
+    const FrameReader reader(path_);
+    const FrameReader::Impl& whole = *reader.impl_;
+    finished_ = whole.status.finished;
+    frames_ = whole.frames;
+    room_ = read_room(whole.file, path_);
+    layout_ = find_layout(whole.file, room_, whole.status.hdf5_size, path_);
     file_ = OpenFile(path_, O_RDWR);
+    seal_ = FrameSeal::attach(file_, layout_, frames_.size());
+    failed_ = false;
 }
 
-void FrameFile::remake(const FrameRoom& room) {
+namespace {
+
+/// Writes a frame's rows behind HDF5's back and returns its checksum.
+std::uint64_t write_rows(OpenFile& file, const FrameLayout& layout, std::uint64_t number, const Frame& frame) {
+    std::vector<std::uint64_t> sums;
+    std::vector<std::byte> row;
+    const auto write_row = [&](std::span<const std::byte> bytes) {
+        const FrameLayout::Column& column = layout.columns[sums.size()];
+        row.assign(column.row_size, std::byte{0});  // zeros behind the last disc
+        std::ranges::copy(bytes, row.begin());
+        file.write_at(column.offset + number * column.row_size, row);
+        sums.push_back(checksum(row));
+    };
+    const std::uint64_t discs = frame.disc_id.size(), nodes = frame.wheel_position_m.size();
+    write_row(bytes_of(discs));
+    write_row(bytes_of(nodes));
+    for_each_column(frame, [&](const char*, const char*, Extent, const auto& member) { write_row(bytes_of(member)); });
+    return frame_sum(number, sums);
+}
+
+/// A file with its structure, a seal and no frames.
+FrameSeal make_sealed_file(const std::string& path, const FrameFileHeader& header, const FrameRoom& room,
+                           FrameLayout& layout) {
+    make_file(path, header, room);
+    OpenFile file(path, O_RDWR);
+    layout = find_layout(open_to_read(path), room, file.size(), path);
+    return FrameSeal::create(file, layout);
+}
+
+}  // namespace
+
+void FrameFile::remake(const FrameRoom& room, std::uint64_t kept) {
     const std::string temporary = path_ + ".tmp";
     try {
-        make_file(temporary, header_, room);
-        FrameFile next(temporary, header_);
-        next.attach();
-        for (std::uint64_t k = 0; k < frames_.size(); ++k) next.write_frame(k, read_frame(path_, k));
-        next.write_count(frames_.size());
-        next.file_.sync();
+        FrameLayout layout;
+        FrameSeal seal = make_sealed_file(temporary, header_, room, layout);
+        OpenFile file(temporary, O_RDWR);
+        if (kept > 0) {
+            const FrameReader old(path_);
+            for (std::uint64_t k = 0; k < kept; ++k)
+                seal.add_frame(file, write_rows(file, layout, k, old.read(k)), FrameSeal::Sync::later);
+        }
+        if (room.frames == kept) seal.finish(file);
+        file.sync();
         replace_file(temporary, path_);
     } catch (...) {
         ::unlink(temporary.c_str());
@@ -300,56 +387,23 @@ void FrameFile::append(const Frame& frame) {
     // The number of discs rarely changes; where it does (conversion to elements), not every frame shall remake the
     // file.
     if (discs > room.discs) room.discs = frames_.empty() ? discs : std::max(discs, room.discs + room.discs / 4);
-    if (room != room_) remake(room);
-    write_frame(frames_.size(), frame);
-    file_.sync();
-    write_count(frames_.size() + 1);  // eight bytes in one write: the frame is there or it is not
-    file_.sync();
+    if (room != room_) remake(room, frames_.size());
+    if (failed_) seal_.take_back(file_);
+    failed_ = true;
+    seal_.add_frame(file_, write_rows(file_, layout_, frames_.size(), frame), FrameSeal::Sync::now);
+    failed_ = false;
     frames_.push_back({frame.time_s, frame.progress, discs, nodes});
 }
 
-void FrameFile::write_frame(std::uint64_t number, const Frame& frame) {
-    const std::uint64_t discs = frame.disc_id.size();
-    const std::uint64_t nodes = frame.wheel_position_m.size();
-    std::size_t column = 0;
-    for_each_column(frame, [&](const char*, const char*, Extent extent, const auto& member) {
-        using T = ElementOf<std::remove_reference_t<decltype(member)>>;
-        const std::span<const std::byte> bytes = bytes_of(member);
-        std::vector<std::byte> row(room_of(extent, room_) * sizeof(T));  // zeros behind the last disc
-        std::copy(bytes.begin(), bytes.end(), row.begin());
-        file_.write_at(column_offset_[column++] + number * row.size(), row);
-    });
-    file_.write_at(disc_count_offset_ + number * sizeof discs, bytes_of(discs));
-    file_.write_at(node_count_offset_ + number * sizeof nodes, bytes_of(nodes));
-}
-
-void FrameFile::write_count(std::uint64_t count) { file_.write_at(frame_count_offset_, bytes_of(count)); }
-
 void FrameFile::truncate(std::uint64_t count) {
-    if (count >= frames_.size()) return;
-    write_count(count);
-    file_.sync();
-    frames_.resize(count);
+    if (count < frames_.size()) remake({std::max<std::uint64_t>(16, count + 1), room_.discs, room_.nodes}, count);
 }
 
-void FrameFile::shrink() {
+void FrameFile::finish() {
+    if (finished_) return;
     FrameRoom room{frames_.size(), 0, room_.nodes};
     for (const FrameInfo& info : frames_) room.discs = std::max(room.discs, info.disc_count);
-    if (room != room_) remake(room);
+    remake(room, frames_.size());
 }
-
-std::vector<FrameInfo> read_frame_list(const std::string& path) { return read_list(open_to_read(path), path); }
-
-Frame read_frame(const std::string& path, std::uint64_t number) {
-    const hdf5::File file = open_to_read(path);
-    const std::vector<FrameInfo> list = read_list(file, path);
-    if (number >= list.size()) {
-        fail_io("'" + path + "' has no frame " + std::to_string(number) + " (it has " + std::to_string(list.size()) +
-                "). Ask for an earlier one?");
-    }
-    return read_one(file, list[number], number, path);
-}
-
-FrameFileHeader read_frame_header(const std::string& path) { return read_header(open_to_read(path), path); }
 
 }  // namespace ifedem

@@ -1,12 +1,14 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "fem/mesh.hpp"
 #include "record/files.hpp"
 #include "record/frame.hpp"
+#include "record/frame_seal.hpp"
 
 namespace ifedem {
 
@@ -15,7 +17,8 @@ namespace ifedem {
 // after them the number of frames. So the file is a closed, whole HDF5 file at every instant, whenever its writer is
 // killed, and a reader may open it at any time. (HDF5's own appending rewrites its structures in place: a writer killed
 // then leaves nothing to read. Its single-writer mode keeps them in order but leaves a mark that ordinary readers
-// refuse.) When the room is used up, a file twice as large is made beside it and renamed over it.
+// refuse.) When the room is used up, a file twice as large is made beside it and renamed over it. Checksums stand
+// behind HDF5's bytes (frame_seal.hpp), and every reader here verifies them before HDF5 opens the file.
 
 /// Rows that the datasets have room for. Unused room is a hole in the file and takes no disk space.
 struct FrameRoom {
@@ -49,10 +52,11 @@ public:
 
     /// Returns when the frame is on the disk. After an exception the file holds the frames before it.
     void append(const Frame& frame);
-    /// Forgets the frames from number `count` on.
+    /// Forgets the frames from number `count` on: the file is remade without them.
     void truncate(std::uint64_t count);
-    /// Remakes the file without spare room: equal frames, equal bytes, however often the run was interrupted.
-    void shrink();
+    /// Remakes the file without spare room and gives it its last seal: equal frames, equal bytes, however often the run
+    /// was interrupted. More can be added afterwards.
+    void finish();
 
     [[nodiscard]] const std::vector<FrameInfo>& frames() const { return frames_; }
     [[nodiscard]] const FrameRoom& room() const { return room_; }
@@ -61,27 +65,43 @@ public:
 private:
     FrameFile(std::string path, FrameFileHeader header) : path_(std::move(path)), header_(std::move(header)) {}
     void attach();
-    void remake(const FrameRoom& room);
-    void write_frame(std::uint64_t number, const Frame& frame);
-    void write_count(std::uint64_t count);
+    /// A file with the first `kept` frames replaces this one.
+    void remake(const FrameRoom& room, std::uint64_t kept);
 
     std::string path_;
     FrameFileHeader header_;
     FrameRoom room_;
     OpenFile file_;
-    std::vector<std::uint64_t> column_offset_;  ///< of the first row, in for_each_column's order
-    std::uint64_t disc_count_offset_ = 0;
-    std::uint64_t node_count_offset_ = 0;
-    std::uint64_t frame_count_offset_ = 0;
+    FrameLayout layout_;
+    FrameSeal seal_;
+    bool finished_ = false;
+    bool failed_ = false;  ///< the last append() threw
     std::vector<FrameInfo> frames_;
 };
 
-/// The complete frames of a results.h5, whoever wrote it and whether or not it is still being written. Throws
-/// Error(io).
+/// The complete frames of a results.h5, whoever wrote it and whether or not it is still being written; its checksums
+/// are verified once, when it is opened. All throw Error(io).
+class FrameReader {
+public:
+    explicit FrameReader(std::string path);
+    ~FrameReader();
+    FrameReader(FrameReader&&) noexcept;
+    FrameReader& operator=(FrameReader&&) noexcept;
+
+    [[nodiscard]] const std::vector<FrameInfo>& frames() const;
+    [[nodiscard]] Frame read(std::uint64_t number) const;
+    /// The case that the file belongs to, as TOML, and the mesh of its wheel.
+    [[nodiscard]] FrameFileHeader header() const;
+
+private:
+    friend class FrameFile;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// The same for one look at a file.
 [[nodiscard]] std::vector<FrameInfo> read_frame_list(const std::string& path);
-/// One of them. Throws Error(io).
 [[nodiscard]] Frame read_frame(const std::string& path, std::uint64_t number);
-/// The case that a results.h5 belongs to, as TOML, and the mesh of its wheel. Throws Error(io).
 [[nodiscard]] FrameFileHeader read_frame_header(const std::string& path);
 
 }  // namespace ifedem

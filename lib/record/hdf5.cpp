@@ -1,8 +1,12 @@
 #include "record/hdf5.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <string_view>
 
 #include "core/error.hpp"
+#include "record/files.hpp"
 
 namespace ifedem::hdf5 {
 namespace {
@@ -22,11 +26,23 @@ std::string innermost_error() {
 }  // namespace
 
 void fail(const std::string& action, const std::string& path) {
-    fail_io("cannot " + action + " '" + path + "' (HDF5: " + innermost_error() +
+    const std::string reason = innermost_error();
+    // A failed read or write is told as a page of numbers, the system's reason among them.
+    constexpr std::string_view mark = "errno = ";
+    if (const std::size_t at = reason.find(mark); at != std::string::npos) {
+        errno = std::atoi(reason.c_str() + at + mark.size());
+        fail_errno(action, path);
+    }
+    fail_io("cannot " + action + " '" + path + "' (HDF5: " + reason +
             "). Check free disk space, the permissions of the directory and that this program wrote the file?");
 }
 
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void silence() {
+    // HDF5 1.10 ends the program with a segmentation fault when it cleans up at exit after a disk was full.
+    static const herr_t no_cleanup = H5dont_atexit();
+    (void)no_cleanup;
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Properties dataset_properties(const std::string& path) {
     Properties properties(H5Pcreate(H5P_DATASET_CREATE), "prepare", path);

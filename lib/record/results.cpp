@@ -122,7 +122,10 @@ struct Recorder::Impl {
 Recorder::Recorder(std::string directory, const Case& c, const WheelMesh& mesh, std::optional<Progress> resume_at) {
     const std::string case_text = to_toml(c);
     const std::string results = directory + "/results.h5";
-    if (!resume_at) make_directory(directory);
+    if (!resume_at) {
+        make_directory(directory);
+        write_file_atomically(directory + "/case.toml", case_text);  // first: it is what makes a directory a run's
+    }
     FrameFileHeader header{case_text, mesh.mesh};
     FrameFile frames =
         resume_at ? FrameFile::open(results, std::move(header))
@@ -132,7 +135,6 @@ Recorder::Recorder(std::string directory, const Case& c, const WheelMesh& mesh, 
         impl_->resume_series(*resume_at);
         impl_->resume_frames(*resume_at);
     } else {
-        write_file_atomically(impl_->path("case.toml"), case_text);
         impl_->start_series();
     }
     impl_->write_xdmf();
@@ -155,7 +157,7 @@ void Recorder::flush() { impl_->series.sync(); }  // frames are on the disk when
 
 void Recorder::finish() {
     flush();
-    impl_->frames.shrink();
+    impl_->frames.finish();
     impl_->write_xdmf();
 }
 

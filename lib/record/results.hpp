@@ -80,7 +80,7 @@ public:
     /// Flushes everything to disk; called before each checkpoint, so that no checkpoint is ahead of the files. What
     /// belongs to the checkpoint's step is recorded before the checkpoint.
     void flush();
-    /// Takes the spare room out of results.h5 at the end of a run; more can be added afterwards.
+    /// Takes the spare room out of results.h5 and seals it at the end of a run; more can be added afterwards.
     void finish();
 
 private:

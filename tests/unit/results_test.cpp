@@ -156,17 +156,19 @@ TEST(Frames, ReadBackWhileTheRunGoesOn) {
     const Scratch scratch;
     const std::string path = scratch.file("run/results.h5");
     Recorder recorder(scratch.file("run"), small_case(), two_quads());
-    EXPECT_TRUE(read_frame_list(path).empty());
+    EXPECT_TRUE(FrameReader(path).frames().empty());
     for (std::uint64_t k = 0; k < 70; ++k) {  // past two enlargements of the file
         recorder.add_frame(frame_at(k));
-        ASSERT_EQ(read_frame_list(path).size(), k + 1);
+        ASSERT_EQ(FrameReader(path).frames().size(), k + 1);
     }
-    for (std::uint64_t k = 0; k < 70; ++k) EXPECT_EQ(fault_of(read_frame(path, k), k), "") << "frame " << k;
-    EXPECT_THROW((void)read_frame(path, 70), Error);
+    const FrameReader during(path);
+    for (std::uint64_t k = 0; k < 70; ++k) EXPECT_EQ(fault_of(during.read(k), k), "") << "frame " << k;
+    EXPECT_THROW((void)during.read(70), Error);
     recorder.finish();
-    for (std::uint64_t k = 0; k < 70; ++k) EXPECT_EQ(fault_of(read_frame(path, k), k), "") << "frame " << k;
-    EXPECT_EQ(read_frame_header(path).case_text, to_toml(small_case()));
-    EXPECT_EQ(read_frame_header(path).mesh.quad, two_quads().mesh.quad);
+    const FrameReader after(path);
+    for (std::uint64_t k = 0; k < 70; ++k) EXPECT_EQ(fault_of(after.read(k), k), "") << "frame " << k;
+    EXPECT_EQ(FrameReader(path).header().case_text, to_toml(small_case()));
+    EXPECT_EQ(FrameReader(path).header().mesh.quad, two_quads().mesh.quad);
 }
 
 TEST(Frames, TakeAChangingNumberOfDiscs) {
@@ -175,7 +177,7 @@ TEST(Frames, TakeAChangingNumberOfDiscs) {
     Recorder recorder(scratch.file("run"), small_case(), two_quads());
     for (std::size_t k = 0; k < counts.size(); ++k) recorder.add_frame(frame_at(k, counts[k]));
     for (std::size_t k = 0; k < counts.size(); ++k) {
-        EXPECT_EQ(fault_of(read_frame(scratch.file("run/results.h5"), k), k, counts[k]), "") << k;
+        EXPECT_EQ(fault_of(FrameReader(scratch.file("run/results.h5")).read(k), k, counts[k]), "") << k;
     }
 }
 
@@ -318,14 +320,15 @@ TEST(Recorder, SurvivesBeingKilled) {
         const std::size_t first = k % 2 == 0 ? 15 + random.below(2) : 2 + random.below(40);
         const std::size_t finished = record_and_kill(run, first, static_cast<useconds_t>(random.below(1500)));
         ASSERT_GE(finished, first);
-        const std::size_t frames = read_frame_list(results).size();
+        const FrameReader reader(results);
+        const std::size_t frames = reader.frames().size();
         EXPECT_TRUE(frames == finished || frames == finished + 1) << frames << " of " << finished;
-        for (std::uint64_t f = 0; f < frames; ++f) EXPECT_EQ(fault_of(read_frame(results, f), f, many), "");
+        for (std::uint64_t f = 0; f < frames; ++f) EXPECT_EQ(fault_of(reader.read(f), f, many), "");
         const std::string discs = read_text(run + "/discs.xdmf");
         EXPECT_EQ(xml_fault(discs), "");
         EXPECT_GE(count(discs, "<Time ") + 1, frames);
         const Recorder resumed(run, small_case(), two_quads(), state_at(1).progress);  // it can be gone on with
-        EXPECT_EQ(read_frame_list(results).size(), 2U);
+        EXPECT_EQ(FrameReader(results).frames().size(), 2U);
         EXPECT_EQ(count(read_text(run + "/series.csv"), "\n"), 3U);
     }
 }
@@ -353,9 +356,10 @@ TEST(Recorder, KeepsItsFilesOnAFullDisk) {
         for (std::uintmax_t part = 0; part < 20 && frames == total; ++part) {
             frames += add_with_limit(recorder, frame_at(total), size * part / 20) ? 1U : 0U;
             failures += frames == total ? 1U : 0U;
-            const std::size_t listed = read_frame_list(results).size();
+            const FrameReader reader(results);
+            const std::size_t listed = reader.frames().size();
             ASSERT_TRUE(listed == frames || listed == total + 1) << listed << " after " << frames;
-            for (std::uint64_t f = 0; f < listed; ++f) ASSERT_EQ(fault_of(read_frame(results, f), f), "") << f;
+            for (std::uint64_t f = 0; f < listed; ++f) ASSERT_EQ(fault_of(reader.read(f), f), "") << f;
             if (listed > frames) frames = listed;  // it was a picture's text that did not fit any more
         }
         if (frames == total) frames += add_with_limit(recorder, frame_at(total), RLIM_INFINITY) ? 1U : 0U;
