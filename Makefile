@@ -40,6 +40,17 @@ test: build ## unit, verification, stability, determinism and reliability tests
 test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
 	@tests/determinism/run_matrix.sh $(MATRIX)
 
+test-reliability: build ## kill, stop, damage, fill: build/reliability.csv (ten minutes)
+	@cmake --build $(BUILD) --target tests_reliability -j $(JOBS)
+	@echo "fault,tried,survived" > $(BUILD)/reliability.csv
+	@IFEDEM_RELIABILITY_CSV=$(BUILD)/reliability.csv $(BUILD)/tests/faults_test --gtest_brief=1 --gtest_filter=-*Privileged*
+	@IFEDEM_RELIABILITY_CSV=$(BUILD)/reliability.csv $(BUILD)/tests/bad_input_test --gtest_brief=1
+	@cat $(BUILD)/reliability.csv
+
+test-privileged: build ## what needs the right to mount a file system: full disks
+	@cmake --build $(BUILD) --target tests_reliability -j $(JOBS)
+	@IFEDEM_RELIABILITY_CSV=$(BUILD)/reliability-privileged.csv $(BUILD)/tests/faults_test --gtest_filter=*Privileged* | grep -v '^Note'
+
 bench: build ## cost of a step on dense beds (idle machine): build/bench.csv
 	@cmake --build $(BUILD) --target step_bench -j $(JOBS)
 	@tests/bench/run_bench.sh
