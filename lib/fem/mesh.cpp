@@ -6,6 +6,7 @@
 
 #include "core/bitmath.hpp"
 #include "core/error.hpp"
+#include "fem/gmsh.hpp"
 #include "fem/hub_core.hpp"
 
 namespace ifedem {
@@ -178,6 +179,7 @@ WheelMesh make_plate_mesh(double length_m) {
 
 WheelMesh make_wheel_mesh(const WheelCase& wheel) {
     if (wheel.shape == WheelShape::plate) return make_plate_mesh(wheel.plate_length_m);
+    if (!wheel.mesh_file.empty()) return read_gmsh_wheel(wheel);
     check_wheel(wheel);
     const Columns columns = lay_out_columns(wheel);
     const Rings rings = lay_out_rings(wheel);

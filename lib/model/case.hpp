@@ -89,6 +89,8 @@ struct WheelCase {
     MaterialCase intermediate{0.05e6, 0.3, 1000, 1};
     MaterialCase surface{4e6, 0.49, 1000, 10};
     MaterialCase lug{4e6, 0.49, 5000, 10};
+    std::string mesh_file;      ///< Gmsh file instead of rings and columns; absolute once the case is read
+    std::string mesh_checksum;  ///< of that file when the case was read
 };
 
 struct TravelCase {

@@ -135,6 +135,11 @@ constexpr std::array keys{
     IFEDEM_KEY(wheel.plane, "", any, "plane stress or plane strain in the wheel"),
     IFEDEM_KEY(wheel.damping_frame, "", any,
                "wheel damping acts on the velocity less the rim's rigid motion, or on all of it"),
+    IFEDEM_KEY(
+        wheel.mesh_file, "", any,
+        "Gmsh file (2.2 or 4.1, ASCII, metres, hub at 0, 0, parts by physical name) instead of rings and columns; "
+        "relative to the case"),
+    IFEDEM_KEY(wheel.mesh_checksum, "", any, "of that file: resolved cases have it, so that a changed mesh is noticed"),
     IFEDEM_MATERIAL(wheel.rim, "the rim (WR)"),
     IFEDEM_MATERIAL(wheel.intermediate, "the intermediate layer (WI)"),
     IFEDEM_MATERIAL(wheel.surface, "the surface layer (WS)"),

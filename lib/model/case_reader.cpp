@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 namespace {
@@ -20,10 +22,12 @@ namespace {
 #include <toml++/toml.h>
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "model/case_advice.hpp"
 #include "model/case_checks.hpp"
 #include "model/case_keys.hpp"
 #include "model/case_text.hpp"
+#include "model/case_units.hpp"
 
 namespace ifedem {
 namespace {
@@ -31,7 +35,10 @@ namespace {
 constexpr std::size_t most_faults = 200;  // more only says that it is the wrong file
 constexpr std::size_t longest_list = 32;  // so that a list keeps on one line
 constexpr std::size_t longest_text = 200;
+constexpr std::size_t longest_path = 1500;
+constexpr std::size_t largest_mesh = std::size_t{64} << 20;
 constexpr std::string_view base_key = "base";
+constexpr std::string_view mesh_file_key = "wheel.mesh_file";
 
 struct Fault {
     toml::source_position at;
@@ -44,6 +51,7 @@ struct Reading {
     std::map<std::string_view, std::string> origin;  ///< "file:line:column" or "--set …" of the keys that were given
     std::set<std::string_view> faulty;               ///< keys whose value could not be taken
     bool complete = true;                            ///< false if a file could not be parsed at all
+    std::string mesh_folder;                         ///< of the file that named the mesh
     std::vector<std::string> faults;
     std::size_t fault_count = 0;
 };
@@ -116,13 +124,18 @@ Trouble store(const Key& key, std::int64_t* member, const toml::node& node) {
     return trouble;
 }
 
+/// On one line, so that it reads back as it was written.
+bool is_one_line(std::string_view text) { return !find_bad_text(text) && text.find_first_of("\n\t") == text.npos; }
+
 Trouble store(const Key& key, std::string* member, const toml::node& node) {
     if (!node.is_string()) return say_wrong_type(key, member, node);
     const std::string value = text_of(node);
-    if (value.empty() || value.size() > longest_text || find_bad_text(value) || value.find('\n') != std::string::npos ||
-        value.find('\t') != std::string::npos) {
-        return fmt::format("{} = \"{}\" is no name (it must be 1 to {} bytes on one line). Choose another?", key.name,
-                           printable(value), longest_text);
+    Case defaults;
+    const bool optional = std::get<std::string*>(key.slot(defaults))->empty();
+    const std::size_t longest = optional ? longest_path : longest_text;
+    if ((value.empty() && !optional) || value.size() > longest || !is_one_line(value)) {
+        return fmt::format("{} = \"{}\" is no {} (it must be {} to {} bytes on one line). Choose another?", key.name,
+                           printable(value), optional ? "text" : "name", optional ? 0 : 1, longest);
     }
     *member = value;
     return std::nullopt;
@@ -171,6 +184,31 @@ Trouble store(Reading& reading, const Key& key, const toml::node& node, const st
 
 // ---- one file ------------------------------------------------------------------------------------------------------
 
+/// A number, or a list of numbers, given in another unit, as it stands in the key's own; null for anything else.
+std::unique_ptr<toml::node> to_own_unit(const toml::node& node, int power) {
+    const auto shift = [power](const toml::node& n) { return shift_point(n.value<double>().value_or(0.0), power); };
+    if (node.is_number()) return std::make_unique<toml::value<double>>(shift(node));
+    const toml::array* list = node.as_array();
+    if (list == nullptr || !std::ranges::all_of(*list, [](const toml::node& n) { return n.is_number(); }))
+        return nullptr;
+    auto shifted = std::make_unique<toml::array>();
+    for (const toml::node& n : *list) shifted->push_back(shift(n));
+    return shifted;
+}
+
+Trouble store_variant(Reading& reading, const UnitVariant& variant, const toml::node& node, const std::string& origin) {
+    const Key& key = *find_key(variant.key);
+    const auto shifted = to_own_unit(node, variant.power);
+    return store(reading, key, shifted ? *shifted : node, origin);
+}
+
+/// Where the mesh's path starts from, and that an earlier layer's checksum does not stand for a new file.
+void note_mesh(Reading& reading, const Key& key, const toml::table* table, const std::string& folder) {
+    if (key.name != mesh_file_key) return;
+    reading.mesh_folder = folder;
+    if (table == nullptr || !table->contains("mesh_checksum")) reading.value.wheel.mesh_checksum.clear();
+}
+
 /// Stores every value of `table`, whose keys begin with `prefix`.
 void store_table(Reading& reading, const toml::table& table, const std::string& prefix, const std::string& name,
                  std::vector<Fault>& faults) {
@@ -178,6 +216,7 @@ void store_table(Reading& reading, const toml::table& table, const std::string& 
         const std::string path = prefix + show_letters(toml_key.str());
         const toml::source_position key_at = toml_key.source().begin;
         const bool quoted_dot = toml_key.str().find('.') != std::string_view::npos;
+        const toml::source_position at = node.source().begin;
         if (path == base_key) continue;
         if (quoted_dot) {
             faults.push_back(
@@ -185,8 +224,14 @@ void store_table(Reading& reading, const toml::table& table, const std::string& 
                                      "quotes out?",
                                      printable(path))});
         } else if (const Key* key = find_key(path)) {
-            const toml::source_position at = node.source().begin;
             if (const Trouble trouble = store(reading, *key, node, place(name, at))) faults.push_back({at, *trouble});
+            note_mesh(reading, *key, &table, std::filesystem::path(name).parent_path().string());
+        } else if (const auto variant = find_unit_variant(path)) {
+            if (table.contains(leaf_of(variant->key))) {
+                faults.push_back({key_at, fmt::format("given twice ({} and {}). Remove one?", path, variant->key)});
+            } else if (const Trouble trouble = store_variant(reading, *variant, node, place(name, at))) {
+                faults.push_back({at, *trouble});
+            }
         } else if (!is_table(path)) {
             const std::string_view kind = node.is_table() ? "table" : "key";
             const std::string advice = faults.size() < most_faults ? advise_key(path) : "";
@@ -295,7 +340,8 @@ bool is_bare_word(std::string_view text) {
 
 void apply_override(Reading& reading, const Override& setting) {
     const std::string origin = fmt::format("--set {}={}", printable(setting.key), printable(setting.value));
-    const Key* key = find_key(setting.key);
+    const auto variant = find_unit_variant(setting.key);
+    const Key* key = find_key(variant ? variant->key : setting.key);
     if (key == nullptr) {
         const std::string message =
             setting.key == base_key ? "base belongs into the file (it is where the file starts from). Write it there?"
@@ -312,13 +358,15 @@ void apply_override(Reading& reading, const Override& setting) {
         Reading scratch;
         const auto table = parse(scratch, "value = " + setting.value, "");
         if (table) {
-            trouble = store(reading, *key, *table->get("value"), origin);
+            const toml::node& value = *table->get("value");
+            trouble = variant ? store_variant(reading, *variant, value, origin) : store(reading, *key, value, origin);
         } else if (is_bare_word(setting.value)) {
             trouble = store(reading, *key, toml::value<std::string>(setting.value), origin);
         } else {
             trouble = fmt::format("the value is not TOML. Write a value of {} like that of a file?", key->name);
         }
     }
+    note_mesh(reading, *key, nullptr, "");
     if (trouble) {
         reading.faulty.insert(key->name);
         add_fault(reading, origin, *trouble);
@@ -342,6 +390,23 @@ void check_rules(Reading& reading, const std::string& name) {
     }
 }
 
+/// A mesh that is named for the first time gets its whole path and its checksum. In a case that was resolved before it
+/// has them, and is not looked for: reports are made where there is no mesh.
+void resolve_mesh(Reading& reading) {
+    WheelCase& wheel = reading.value.wheel;
+    if (wheel.mesh_file.empty() || !wheel.mesh_checksum.empty() || reading.fault_count > 0) return;
+    const std::string path = identify((std::filesystem::path(reading.mesh_folder) / wheel.mesh_file).string()).string();
+    try {
+        const std::string text = read_text_file(path, largest_mesh);
+        if (path.size() > longest_path || !is_one_line(path)) fail_input("its path is no text. Move it elsewhere?");
+        wheel.mesh_file = path;
+        wheel.mesh_checksum = to_hex(checksum(std::as_bytes(std::span(text))));
+    } catch (const Error& error) {
+        add_fault(reading, reading.origin[mesh_file_key],
+                  fmt::format("{} = \"{}\": {}", mesh_file_key, printable(wheel.mesh_file), error.what()));
+    }
+}
+
 }  // namespace
 
 Case parse_case(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
@@ -350,6 +415,7 @@ Case parse_case(const std::string& text, const std::string& name, const std::vec
     read_layer(reading, text, name, chain);
     for (const Override& setting : overrides) apply_override(reading, setting);
     check_rules(reading, name);
+    resolve_mesh(reading);
     if (reading.fault_count > reading.faults.size()) {
         reading.faults.push_back(fmt::format("{}: and {} more faults. Is this the right file?", name,
                                              reading.fault_count - reading.faults.size()));

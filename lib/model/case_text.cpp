@@ -14,7 +14,6 @@ namespace ifedem {
 namespace {
 
 constexpr std::size_t longest_line = 2000;
-constexpr std::size_t largest_file = std::size_t{1} << 20;
 
 /// Bytes of the UTF-8 character at the front of `text`; 0 if there is none (Unicode 15, table 3-7).
 std::size_t measure_character(std::string_view text) {
@@ -125,7 +124,7 @@ std::optional<TextFault> find_bad_text(std::string_view text) {
     return std::nullopt;
 }
 
-std::string read_text_file(const std::string& path) {
+std::string read_text_file(const std::string& path, std::size_t largest) {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -138,12 +137,15 @@ std::string read_text_file(const std::string& path) {
     if (status.type() != fs::file_type::regular) fail_input("this is not a regular file. Copy the case to a file?");
     std::ifstream file(path, std::ios::binary);
     if (!file) fail_io(fmt::format("the file cannot be opened ({}). Check its permissions?", std::strerror(errno)));
-    std::string text(largest_file + 1, '\0');
+    const auto size = static_cast<std::size_t>(fs::file_size(path, error));  // one that grows meanwhile is cut off
+    if (!error && size > largest) {
+        fail_input(fmt::format("the file is larger than {} MiB{}. Is this the right file?", largest >> 20U,
+                               largest == largest_case ? " (a case is a page)" : ""));
+    }
+    std::string text(error ? 0 : size, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (file.bad()) fail_io("the file cannot be read to its end. Check the disk?");
     text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.size() > largest_file)
-        fail_input("the file is larger than 1 MiB (a case is a page). Is this the right file?");
     return text;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,9 +26,11 @@ struct TextFault {
 [[nodiscard]] std::string hide_letters(std::string_view text);
 [[nodiscard]] std::string show_letters(std::string_view hidden);
 
-/// The bytes of a regular file of at most 1 MiB. Throws Error(bad_input) for anything else and for an absent file,
-/// Error(io) for one that cannot be read; the message does not name the file.
-[[nodiscard]] std::string read_text_file(const std::string& path);
+inline constexpr std::size_t largest_case = std::size_t{1} << 20;
+
+/// The bytes of a regular file of at most `largest` bytes. Throws Error(bad_input) for anything else and for an absent
+/// file, Error(io) for one that cannot be read; the message does not name the file.
+[[nodiscard]] std::string read_text_file(const std::string& path, std::size_t largest = largest_case);
 
 /// The text for a message: on one line and not endless.
 [[nodiscard]] std::string printable(std::string_view text);

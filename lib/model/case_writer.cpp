@@ -29,6 +29,11 @@ bool belongs_to(const Key& key, std::string_view key_or_table) {
     return key.name == key_or_table || (key.name.starts_with(key_or_table) && key.name[key_or_table.size()] == '.');
 }
 
+bool is_empty_text(const Slot& slot) {
+    const auto* text = std::get_if<std::string*>(&slot);
+    return text != nullptr && (*text)->empty();
+}
+
 }  // namespace
 
 std::string to_toml(const Case& c) {
@@ -57,7 +62,9 @@ std::string to_toml_subset(const Case& c, const std::vector<std::string>& keys_o
     for (const Key& key : case_keys()) {
         const bool wanted = std::any_of(keys_or_tables.begin(), keys_or_tables.end(),
                                         [&key](const std::string& name) { return belongs_to(key, name); });
-        if (wanted) text += fmt::format("{} = {}\n", key.name, write_value(key.slot(values)));
+        // An empty text is a thing left out: cases from before there was such a key keep their names.
+        if (wanted && !is_empty_text(key.slot(values)))
+            text += fmt::format("{} = {}\n", key.name, write_value(key.slot(values)));
     }
     return text;
 }
@@ -67,6 +74,9 @@ std::string describe_keys() {
     std::string text =
         "A case is a TOML file that states what differs from the defaults below, or from another case named by\n"
         "  base = \"other.toml\"    (a path relative to the file that names it)\n"
+        "Values are in the unit that ends the key. Where that is m, N, Pa, s or kg/m³, another ending will do:\n"
+        "  _mm, _cm, _kN, _kPa, _MPa, _GPa, _ms, _us, _g_cm3, _N_mm, _kN_m, _mm_s, _cm_s; lug_height_mm = 8 is\n"
+        "  lug_height_m = 0.008 to the last bit.\n"
         "Each line: key, unit, default, what it may be; then what it means.\n";
     std::string_view table = "-";
     for (const Key& key : case_keys()) {

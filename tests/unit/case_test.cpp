@@ -96,6 +96,8 @@ gap_columns = 6
 pitch_columns = 7
 plane = "strain"
 damping_frame = "absolute"
+mesh_file = "none.msh"
+mesh_checksum = "0123456789abcdef"
 [wheel.rim]
 young_Pa = 2e8
 poisson = 0.31
@@ -191,6 +193,8 @@ TEST(Case, EveryKeyReachesItsMember) {
     EXPECT_EQ(c.wheel.pitch_columns, 7);
     EXPECT_EQ(c.wheel.plane, PlaneState::strain);
     EXPECT_EQ(c.wheel.damping_frame, DampingFrame::absolute);
+    EXPECT_EQ(c.wheel.mesh_file, "none.msh");
+    EXPECT_EQ(c.wheel.mesh_checksum, "0123456789abcdef");
     const auto expect_material = [](const MaterialCase& m, double young, double poisson, double density,
                                     double damping) {
         EXPECT_EQ(m.young_Pa, young);
@@ -250,6 +254,31 @@ TEST(Case, EveryWordHasItsMeaning) {
     EXPECT_EQ(read("travel.slip_radius = 'lug-tip'").travel.slip_radius, SlipRadius::lug_tip);
     EXPECT_EQ(read("control.scheme = 'semi-implicit'").control.scheme, ControlScheme::semi_implicit);
     EXPECT_EQ(read("control.scheme = 'explicit'").control.scheme, ControlScheme::explicit_);
+}
+
+TEST(CaseUnits, OtherEndingsGiveTheSameBits) {
+    const std::vector<std::pair<std::string, std::string>> same = {
+        {"wheel.lug_height_mm = 8", "wheel.lug_height_m = 0.008"},
+        {"wheel.surface_thickness_mm = 19.8", "wheel.surface_thickness_m = 0.0198"},
+        {"wheel.lug_gap_cm = 1.9", "wheel.lug_gap_m = 0.019"},
+        {"wheel.load_kN = 0.1701", "wheel.load_N = 170.1"},
+        {"wheel.rim.young_MPa = 199.3", "wheel.rim.young_Pa = 199.3e6"},
+        {"wheel.lug.young_GPa = 0.0041", "wheel.lug.young_Pa = 0.0041e9"},
+        {"wheel.lug.young_kPa = 4100", "wheel.lug.young_Pa = 4.1e6"},
+        {"soil.density_g_cm3 = 2.63", "soil.density_kg_m3 = 2630"},
+        {"soil.radii_mm = [2.1, 2.7, 3]", "soil.radii_m = [0.0021, 0.0027, 0.003]"},
+        {"contact.normal_stiffness_N_mm = 101.3", "contact.normal_stiffness_N_m = 101300"},
+        {"contact.normal_stiffness_kN_m = 101.3", "contact.normal_stiffness_N_m = 101300"},
+        {"travel.speed_cm_s = 9.7", "travel.speed_m_s = 0.097"},
+        {"travel.speed_mm_s = 97e0", "travel.speed_m_s = 0.097"},
+        {"record.series_interval_ms = 2.3", "record.series_interval_s = 0.0023"},
+        {"time_step_us = 41", "time_step_s = 41e-6"},
+    };
+    for (const auto& [other, own] : same)
+        EXPECT_EQ(to_toml(parse_case(other, "a")), to_toml(parse_case(own, "b"))) << other;
+    EXPECT_EQ(parse_case("name = 'x'", "c", {{"wheel.lug_height_mm", "8"}}).wheel.lug_height_m, 0.008);
+    EXPECT_THROW((void)parse_case("wheel.load_N = 1\nwheel.load_kN = 1", "c"), Error);
+    EXPECT_THROW((void)parse_case("wheel.load_mm = 1", "c"), Error) << "no key of that name";
 }
 
 struct Extent {
