@@ -2,12 +2,50 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "core/error.hpp"
 #include "model/case.hpp"
 #include "record/frame_file.hpp"
 #include "record/snapshot.hpp"
 
 namespace ifedem {
+namespace {
+
+/// A wheel's largest radius over that of the wheel for which the distances below were chosen.
+double relative_size(const Mesh& wheel) {
+    constexpr double chosen_for_m = 0.158;
+    double largest_m = 0;
+    for (const Vec2 node : wheel.node_m) largest_m = std::max(largest_m, norm(node));
+    return largest_m > 0 ? largest_m / chosen_for_m : 1;
+}
+
+/// The part of the bed that the wheel passes, at true size.
+SnapshotOptions frame_travel(const std::vector<Frame>& frames, const Mesh& wheel) {
+    const double size = relative_size(wheel);
+    SnapshotOptions options;
+    options.x_min_m = 1e9, options.x_max_m = -1e9, options.y_max_m = 0;
+    for (const Frame& frame : frames) {
+        options.x_min_m = std::min(options.x_min_m, frame.hub_position_m.x - 0.25 * size);
+        options.x_max_m = std::max(options.x_max_m, frame.hub_position_m.x + 0.25 * size);
+        options.y_max_m = std::max(options.y_max_m, frame.hub_position_m.y + 0.2 * size);
+    }
+    return options;
+}
+
+/// Up to `most` frames, evenly spaced, the first and the last among them.
+std::vector<Frame> read_some(const FrameReader& results, std::size_t most, const std::string& path) {
+    const std::size_t count = results.frames().size();
+    if (count == 0) fail_io(fmt::format("{} has no frames yet. Resume the run?", path));
+    const std::size_t shown = std::min(most, count);
+    std::vector<Frame> frames;
+    for (std::size_t k = 0; k < shown; ++k)
+        frames.push_back(results.read(shown == 1 ? count - 1 : k * (count - 1) / (shown - 1)));
+    return frames;
+}
+
+}  // namespace
 
 void draw_pictures(const std::string& run_directory, const std::string& out_directory, long frame) {
     const std::string path = run_directory + "/results.h5";
@@ -19,17 +57,38 @@ void draw_pictures(const std::string& run_directory, const std::string& out_dire
     const FrameFileHeader header = results.header();
     const Frame shown = results.read(static_cast<std::uint64_t>(number));
     const double length_m = parse_case(header.case_text, path).bed.length_m;
+    const double size = relative_size(header.mesh);
     const Vec2 hub = shown.hub_position_m;
     SnapshotOptions near;
     near.width_px = 1100;  // sharp on a page, and a chapter's report stays small
-    near.x_min_m = hub.x - 0.35, near.x_max_m = hub.x + 0.25;
-    near.y_min_m = 0, near.y_max_m = hub.y + 0.2;
+    near.x_min_m = hub.x - 0.35 * size, near.x_max_m = hub.x + 0.25 * size;
+    near.y_min_m = 0, near.y_max_m = hub.y + 0.2 * size;
     write_snapshot_png(out_directory + "/snapshot.png", shown, header.mesh, near);
     SnapshotOptions far;
     far.width_px = near.width_px;
     far.x_max_m = length_m, far.y_max_m = near.y_max_m;
     far.colour = DiscColour::pressure;
     write_snapshot_png(out_directory + "/snapshot_bed.png", shown, header.mesh, far);
+}
+
+void draw_contact_sheet(const std::string& run_directory, const std::string& out_directory) {
+    const std::string path = run_directory + "/results.h5";
+    const FrameReader results(path);
+    const Mesh wheel = results.header().mesh;
+    const std::vector<Frame> frames = read_some(results, 9, path);
+    SnapshotOptions options = frame_travel(frames, wheel);
+    options.width_px = 640;
+    write_contact_sheet_png(out_directory + "/contact_sheet.png", frames, wheel, options, 3);
+}
+
+void draw_animation(const std::string& run_directory, const std::string& out_directory) {
+    const std::string path = run_directory + "/results.h5";
+    const FrameReader results(path);
+    const Mesh wheel = results.header().mesh;
+    const std::vector<Frame> frames = read_some(results, results.frames().size(), path);
+    SnapshotOptions options = frame_travel(frames, wheel);
+    options.width_px = 900;
+    write_animation_gif(out_directory + "/travel.gif", frames, wheel, options, 200);
 }
 
 }  // namespace ifedem

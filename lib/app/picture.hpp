@@ -8,4 +8,10 @@ namespace ifedem {
 /// Error(io).
 void draw_pictures(const std::string& run_directory, const std::string& out_directory, long frame);
 
+/// contact_sheet.png: up to nine frames, evenly spaced over the travel.
+void draw_contact_sheet(const std::string& run_directory, const std::string& out_directory);
+
+/// travel.gif: all frames, one after the other.
+void draw_animation(const std::string& run_directory, const std::string& out_directory);
+
 }  // namespace ifedem

@@ -89,19 +89,32 @@ std::vector<std::size_t> parts_present(const Frame& frame, const Mesh& wheel) {
     return present;
 }
 
-/// Size of the picture that gives both axes the same scale, with fixed margins.
-std::string canvas(const std::string& output, const SnapshotOptions& options) {
+/// A rectangle on the canvas, from its lower left corner.
+struct Panel {
+    double x_px = 0, y_px = 0, width_px = 0, height_px = 0;
+};
+
+/// The size that gives both axes the same scale, with fixed margins.
+Panel size_panel(const SnapshotOptions& options) {
     const double plot_px = options.width_px - left_px - right_px;
     const double ratio = (options.y_max_m - options.y_min_m) / (options.x_max_m - options.x_min_m);
-    const double height_px = plot_px * ratio + top_px + bottom_px;
+    return {0, 0, static_cast<double>(options.width_px), plot_px * ratio + top_px + bottom_px};
+}
+
+/// Terminal and output; `terminal` is gnuplot's with its options but the size.
+std::string canvas(const std::string& terminal, const std::string& output, double width_px, double height_px) {
+    return fmt::format("set terminal {} size {:.0f},{:.0f} font 'DejaVu Sans,14' background '#ffffff'\nset output {}\n",
+                       terminal, width_px, height_px, quote(output));
+}
+
+std::string margins(const Panel& p, double width_px, double height_px) {
+    const double left = (p.x_px + left_px) / width_px, right = (p.x_px + p.width_px - right_px) / width_px;
+    const double bottom = (p.y_px + bottom_px) / height_px, top = (p.y_px + p.height_px - top_px) / height_px;
     return fmt::format(
-        "set terminal pngcairo size {},{:.0f} font 'DejaVu Sans,14' background '#ffffff'\nset output {}\n"
         "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n"
         "set tmargin at screen {:.6f}\n"
         "set colorbox user origin screen {:.6f},{:.6f} size screen {:.6f},{:.6f}\n",
-        options.width_px, height_px, quote(output), left_px / options.width_px, 1 - right_px / options.width_px,
-        bottom_px / height_px, 1 - top_px / height_px, 1 - (right_px - 20) / options.width_px, bottom_px / height_px,
-        24.0 / options.width_px, 1 - (top_px + bottom_px) / height_px);
+        left, right, bottom, top, right + 20 / width_px, bottom, 24 / width_px, top - bottom);
 }
 
 std::string axes(const std::string& title, const char* colour_label, double colour_max, const SnapshotOptions& o) {
@@ -113,16 +126,20 @@ std::string axes(const std::string& title, const char* colour_label, double colo
         quote(title), o.x_min_m, o.x_max_m, o.y_min_m, o.y_max_m, colour_max, quote(colour_label));
 }
 
-std::string make_script(const std::string& output, const Frame& frame, const Mesh& wheel, const SnapshotOptions& o) {
+const std::vector<float>& coloured_values(const Frame& frame, DiscColour colour) {
+    return colour == DiscColour::speed ? frame.disc_speed_m_s : frame.disc_pressure_Pa;
+}
+
+/// Data and the plot command of one frame; where it goes on the canvas is set before.
+std::string draw_frame(const Frame& frame, const Mesh& wheel, const SnapshotOptions& o) {
     const bool speed = o.colour == DiscColour::speed;
-    const std::vector<float>& values = speed ? frame.disc_speed_m_s : frame.disc_pressure_Pa;
+    const std::vector<float>& values = coloured_values(frame, o.colour);
     const double scale = speed ? 1 : 1e-3;
     const double colour_max = scale * (o.colour_max > 0 ? o.colour_max : choose_colour_max(frame, values, o));
     const std::string title =
         o.title.empty() ? fmt::format("{}, t = {:.3f} s", stage_name(frame.progress.stage), frame.time_s) : o.title;
 
-    std::string script =
-        canvas(output, o) + axes(title, speed ? "speed [m/s]" : "pressure [kPa]", colour_max, o) + palette;
+    std::string script = axes(title, speed ? "speed [m/s]" : "pressure [kPa]", colour_max, o) + palette;
     script += disc_data(frame, values, scale, o);
     std::string plot = "plot $discs using 1:2:3:4 with circles lc palette";
     for (const std::size_t part : parts_present(frame, wheel)) {
@@ -135,7 +152,15 @@ std::string make_script(const std::string& output, const Frame& frame, const Mes
         script += fmt::format("$hub << EOD\n{:.6f} {:.6f}\nEOD\n", frame.hub_position_m.x, frame.hub_position_m.y);
         plot += ", $hub with points pt 1 ps 2 lw 2 lc rgb '#2b2d42'";
     }
-    return script + plot + "\nunset output\n";
+    return script + plot + "\n";
+}
+
+/// Frames one after the other on one canvas, all with the same colours: those of the fastest frame.
+SnapshotOptions share_colours(std::span<const Frame> frames, SnapshotOptions o) {
+    if (o.colour_max > 0) return o;
+    for (const Frame& frame : frames)
+        o.colour_max = std::max(o.colour_max, choose_colour_max(frame, coloured_values(frame, o.colour), o));
+    return o;
 }
 
 /// Runs gnuplot on a script, without a shell; what it prints goes to `log`. Returns its exit status.
@@ -163,15 +188,17 @@ std::string first_line(const std::string& path) {
     return line;
 }
 
-}  // namespace
-
-void write_snapshot_png(const std::string& path, const Frame& frame, const Mesh& wheel,
-                        const SnapshotOptions& options) {
+void check_options(const SnapshotOptions& options) {
     if (!(options.x_max_m > options.x_min_m && options.y_max_m > options.y_min_m) || options.width_px < 400) {
         fail_input("a snapshot needs x_min < x_max, y_min < y_max and at least 400 pixels. Correct its options?");
     }
+}
+
+/// Runs the script that `make` gives for a temporary output, and renames what it drew.
+template <class Make>
+void draw(const std::string& path, const Make& make) {
     const std::string script = path + ".gp", picture = path + ".tmp", log = path + ".log";
-    write_file_atomically(script, make_script(picture, frame, wheel, options));
+    write_file_atomically(script, make(picture));
     const int status = run_gnuplot(script, log);
     std::string reason;
     if (status != 0)
@@ -184,6 +211,53 @@ void write_snapshot_png(const std::string& path, const Frame& frame, const Mesh&
         fail_io("gnuplot could not draw '" + path + "' (" + reason + "). Install gnuplot and check free disk space?");
     }
     replace_file(picture, path);
+}
+
+}  // namespace
+
+void write_snapshot_png(const std::string& path, const Frame& frame, const Mesh& wheel,
+                        const SnapshotOptions& options) {
+    check_options(options);
+    const Panel all = size_panel(options);
+    draw(path, [&](const std::string& output) {
+        return canvas("pngcairo", output, all.width_px, all.height_px) + margins(all, all.width_px, all.height_px) +
+               draw_frame(frame, wheel, options) + "unset output\n";
+    });
+}
+
+void write_contact_sheet_png(const std::string& path, std::span<const Frame> frames, const Mesh& wheel,
+                             const SnapshotOptions& options, int columns) {
+    check_options(options);
+    const SnapshotOptions shared = share_colours(frames, options);
+    const Panel one = size_panel(options);
+    const auto across = std::min(static_cast<std::size_t>(columns), frames.size());
+    const std::size_t down = (frames.size() + across - 1) / across;
+    const double width_px = one.width_px * static_cast<double>(across);
+    const double height_px = one.height_px * static_cast<double>(down);
+    draw(path, [&](const std::string& output) {
+        std::string script = canvas("pngcairo", output, width_px, height_px) + "set multiplot\n";
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            const Panel panel{one.width_px * static_cast<double>(k % across),
+                              height_px - one.height_px * static_cast<double>(k / across + 1), one.width_px,
+                              one.height_px};
+            script += margins(panel, width_px, height_px) + draw_frame(frames[k], wheel, shared);
+        }
+        return script + "unset multiplot\nunset output\n";
+    });
+}
+
+void write_animation_gif(const std::string& path, std::span<const Frame> frames, const Mesh& wheel,
+                         const SnapshotOptions& options, int frame_ms) {
+    check_options(options);
+    const SnapshotOptions shared = share_colours(frames, options);
+    const Panel all = size_panel(options);
+    draw(path, [&](const std::string& output) {
+        std::string script = canvas(fmt::format("gif animate delay {} loop 0 optimize", frame_ms / 10), output,
+                                    all.width_px, all.height_px) +
+                             margins(all, all.width_px, all.height_px);
+        for (const Frame& frame : frames) script += draw_frame(frame, wheel, shared);
+        return script + "unset output\n";
+    });
 }
 
 }  // namespace ifedem

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 
 #include "fem/mesh.hpp"
@@ -22,5 +23,13 @@ struct SnapshotOptions {
 /// edges; metres on both axes at equal scale. Equal frames make equal bytes with the same gnuplot and fonts.
 /// Throws Error(io) if gnuplot is missing or fails.
 void write_snapshot_png(const std::string& path, const Frame& frame, const Mesh& wheel, const SnapshotOptions& options);
+
+/// Frames as panels of one PNG, `columns` side by side, each `options.width_px` wide, all with the same colours.
+void write_contact_sheet_png(const std::string& path, std::span<const Frame> frames, const Mesh& wheel,
+                             const SnapshotOptions& options, int columns);
+
+/// Frames one after the other as a GIF that repeats for ever, each shown for `frame_ms`.
+void write_animation_gif(const std::string& path, std::span<const Frame> frames, const Mesh& wheel,
+                         const SnapshotOptions& options, int frame_ms);
 
 }  // namespace ifedem
