@@ -13,6 +13,7 @@
 #include "app/soil.hpp"
 #include "app/stiffness.hpp"
 #include "app/stress.hpp"
+#include "app/sweep.hpp"
 #include "app/watch.hpp"
 #include "check/check.hpp"
 #include "check/effects.hpp"
@@ -89,6 +90,21 @@ void add_resume(CLI::App& app, RunRequest& request, int& code) {
     resume->callback([&] { code = resume_case(request); });
 }
 
+void add_sweep(CLI::App& app, SweepRequest& request, std::vector<std::string>& sets, int& code) {
+    auto* sweep = app.add_subcommand("sweep", "run a case for loads and slips: curves, pictures, CSV and a report");
+    sweep->add_option("case", request.case_path, "case file (TOML)")->required();
+    sweep->add_option("-o,--output", request.directory, "directory of the runs and the report")->required();
+    sweep->add_option("--slip", request.slips, "slips in %: 0:70:10 or 0,20,60");
+    sweep->add_option("--load", request.loads, "loads in N: 50,100");
+    sweep->add_option("--jobs", request.jobs, "runs at the same time")->check(CLI::Range(1, 1024));
+    sweep->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    sweep->add_option("--stages", request.stage_cache, "cache of finished stages");
+    sweep->callback([&] {
+        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
+        code = run_sweep(request);
+    });
+}
+
 struct CheckArguments {
     std::string claims, output;
     std::vector<std::string> runs;
@@ -131,14 +147,22 @@ void add_effects(CLI::App& app, EffectsArguments& a) {
 struct PictureArguments {
     std::string run, output;
     long frame = -1;
+    bool sheet = false, animation = false;
 };
 
 void add_picture(CLI::App& app, PictureArguments& a) {
-    auto* picture = app.add_subcommand("picture", "draw a recorded frame as PNG");
+    auto* picture = app.add_subcommand("picture", "draw recorded frames");
     picture->add_option("run", a.run, "run directory")->required();
     picture->add_option("-o,--output", a.output, "directory for the pictures")->required();
     picture->add_option("--frame", a.frame, "number of the frame, from 0; -1 for the last");
-    picture->callback([&] { draw_pictures(a.run, a.output, a.frame); });
+    picture->add_flag("--sheet", a.sheet, "a contact sheet of nine frames instead");
+    picture->add_flag("--animation", a.animation, "a GIF of all frames instead");
+    picture->callback([&] {
+        std::filesystem::create_directories(a.output);
+        if (a.sheet) draw_contact_sheet(a.run, a.output);
+        if (a.animation) draw_animation(a.run, a.output);
+        if (!a.sheet && !a.animation) draw_pictures(a.run, a.output, a.frame);
+    });
 }
 
 /// Exit code 1: they differ.
@@ -163,6 +187,9 @@ int run_program(int argc, char** argv) {
     add_run(app, run, run_sets, code);
     add_stage(app, stage, stage_sets, code);
     add_resume(app, resume, code);
+    SweepRequest sweep;
+    std::vector<std::string> sweep_sets;
+    add_sweep(app, sweep, sweep_sets, code);
     add_check_and_report(app, check, code);
     PictureArguments picture;
     add_picture(app, picture);

@@ -103,7 +103,8 @@ RunMetrics measure(const Run& run, const Window& window) {
             fmt::format("{}: the wheel travelled {:.3f} m of the {:.2f} m that the window needs. Resume or rerun it.",
                         run.directory, reached, window.to_m));
     RunMetrics m;
-    m.window = trim({window.from_m, std::min(window.to_m, reached)}, lug_pair_pitch_m(run.c));
+    m.window = {window.from_m, std::min(window.to_m, reached)};
+    if (run.c.wheel.lug_pairs > 0) m.window = trim(m.window, lug_pair_pitch_m(run.c));  // a smooth tread has no pitch
     const double from = time_at(time, x, m.window.from_m);
     const double to = time_at(time, x, m.window.to_m);
     const auto mean_of = [&](const std::vector<double>& y) { return mean_between(time, y, from, to); };
