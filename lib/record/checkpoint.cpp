@@ -227,9 +227,10 @@ void write_checkpoint(const std::string& path, const State& state, const Case& c
     write_bytes_atomically(path, image);
 }
 
-Checkpoint read_checkpoint(const std::string& path) {
+Checkpoint read_checkpoint(const std::string& path) { return decode_checkpoint(read_whole_file(path), path); }
+
+Checkpoint decode_checkpoint(std::vector<std::byte> image, const std::string& path) {
     hdf5::silence();
-    std::vector<std::byte> image = read_whole_file(path);
     remove_trailer(image, path);
     const hdf5::Properties access = memory_access(path);
     check(H5Pset_file_image(access, image.data(), image.size()), "read", path);

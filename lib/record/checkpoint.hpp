@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "model/case.hpp"
 #include "model/state.hpp"
@@ -23,5 +25,8 @@ struct Checkpoint {
 
 /// Throws Error(io) with "what is wrong (why). What to do?" for a missing, damaged or incomplete file.
 [[nodiscard]] Checkpoint read_checkpoint(const std::string& path);
+
+/// The same from the bytes of a file; `path` stands for it in messages.
+[[nodiscard]] Checkpoint decode_checkpoint(std::vector<std::byte> image, const std::string& path);
 
 }  // namespace ifedem
