@@ -4,6 +4,7 @@
 # compiler:level pairs of test-determinism
 MATRIX    ?= clang++:O0 clang++:O2 clang++:O3 g++:O0 g++:O2 g++:O3
 JOBS      ?= $(shell nproc)
+FUZZ_SECONDS ?= 1800
 BUILD     := build
 CXX_FAST  := clang++
 IFEDEM    := $(BUILD)/ifedem
@@ -51,6 +52,11 @@ test-privileged: build ## what needs the right to mount a file system: full disk
 	@cmake --build $(BUILD) --target tests_reliability -j $(JOBS)
 	@IFEDEM_RELIABILITY_CSV=$(BUILD)/reliability-privileged.csv $(BUILD)/tests/faults_test --gtest_filter=*Privileged* | grep -v '^Note'
 
+fuzz: build ## case reader, mesh reader and checkpoint decoder, FUZZ_SECONDS each: build/fuzz.csv
+	@cmake -S . -B $(BUILD)-fuzz -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_FUZZ=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null
+	@cmake --build $(BUILD)-fuzz -j $(JOBS) --target case_fuzzer mesh_fuzzer checkpoint_fuzzer
+	@tests/fuzz/run_fuzzers.sh $(FUZZ_SECONDS)
+
 bench: build ## cost of a step on dense beds (idle machine): build/bench.csv
 	@cmake --build $(BUILD) --target step_bench -j $(JOBS)
 	@tests/bench/run_bench.sh
@@ -82,10 +88,17 @@ causes-chapter3: build ## the runs behind "Causes" in chapter 3's README
 SEED ?= $(shell date +%s)
 verify-reports: build ## rerun some runs of the committed reports from nothing and compare hashes
 	@reports/verify.sh $(if $(QUICK),quick,$(if $(RUNS),runs $(RUNS),draw 3 $(SEED)))
+check-pages: ## reports in headless Chromium at the width of a phone and a desk (installs chromium)
+	@dpkg -s chromium > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends chromium; }
+	@tests/pages/check_pages.sh $(wildcard reports/*/index.html $(BUILD)/reports/*/index.html)
+
+docs: ## the library's documentation by Doxygen: build/docs/html/index.html
+	@dpkg -s doxygen > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends doxygen; }
+	@mkdir -p $(BUILD)/docs && doxygen lib/Doxyfile
 
 check: build ## what a contributor runs before a commit: format, tidy, tests
 	@find lib tests -name '*.?pp' | xargs clang-format --dry-run -Werror
 	@$(MAKE) --no-print-directory test
 
 clean: ## remove everything that was built or simulated
-	rm -rf $(BUILD) $(BUILD)-sanitize
+	rm -rf $(BUILD) $(BUILD)-sanitize $(BUILD)-fuzz
