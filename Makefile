@@ -52,6 +52,12 @@ test-privileged: build ## what needs the right to mount a file system: full disk
 	@cmake --build $(BUILD) --target tests_reliability -j $(JOBS)
 	@IFEDEM_RELIABILITY_CSV=$(BUILD)/reliability-privileged.csv $(BUILD)/tests/faults_test --gtest_filter=*Privileged* | grep -v '^Note'
 
+test-tsan: $(BUILD)/.packages ## threads under ThreadSanitizer: a test of the soil's elements, and a run of three threads with one thread's hash
+	@cmake -S . -B $(BUILD)-tsan -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_TSAN=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null
+	@cmake --build $(BUILD)-tsan -j $(JOBS) --target ifedem soil_elements_test
+	@TSAN_OPTIONS=halt_on_error=1 $(BUILD)-tsan/tests/soil_elements_test --gtest_brief=1 --gtest_filter=*threads*
+	@tests/tsan/run_threads.sh $(BUILD)-tsan
+
 fuzz: build ## case reader, mesh reader and checkpoint decoder, FUZZ_SECONDS each: build/fuzz.csv
 	@cmake -S . -B $(BUILD)-fuzz -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_FUZZ=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null
 	@cmake --build $(BUILD)-fuzz -j $(JOBS) --target case_fuzzer mesh_fuzzer checkpoint_fuzzer
@@ -101,4 +107,4 @@ check: build ## what a contributor runs before a commit: format, tidy, tests
 	@$(MAKE) --no-print-directory test
 
 clean: ## remove everything that was built or simulated
-	rm -rf $(BUILD) $(BUILD)-sanitize $(BUILD)-fuzz
+	rm -rf $(BUILD) $(BUILD)-sanitize $(BUILD)-fuzz $(BUILD)-tsan
