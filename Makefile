@@ -41,6 +41,7 @@ test: build ## unit, verification, stability, determinism and reliability tests
 test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
 	@tests/determinism/run_matrix.sh $(MATRIX)
 
+.PHONY: test-reliability test-privileged test-tsan fuzz check-pages docs
 test-reliability: build ## kill, stop, damage, fill: build/reliability.csv (ten minutes)
 	@cmake --build $(BUILD) --target tests_reliability -j $(JOBS)
 	@echo "fault,tried,survived" > $(BUILD)/reliability.csv
@@ -94,6 +95,7 @@ causes-chapter3: build ## the runs behind "Causes" in chapter 3's README
 SEED ?= $(shell date +%s)
 verify-reports: build ## rerun some runs of the committed reports from nothing and compare hashes
 	@reports/verify.sh $(if $(QUICK),quick,$(if $(RUNS),runs $(RUNS),draw 3 $(SEED)))
+
 check-pages: ## reports in headless Chromium at the width of a phone and a desk (installs chromium)
 	@dpkg -s chromium > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends chromium; }
 	@tests/pages/check_pages.sh $(wildcard reports/*/index.html $(BUILD)/reports/*/index.html)
