@@ -20,7 +20,7 @@ enum class WheelBody { rigid, rigid_rim, elastic };  ///< all rigid; elastic lay
 enum class DampingFrame { rigid_motion, absolute };  ///< what c of Eq 2.3 multiplies: v − v_rigid, or v
 enum class SlipRadius { tread, lug_tip };
 enum class SpeedOf { hub, tread };  ///< what travel.speed_m_s is: V, or r ω of the unloaded radius
-enum class ControlScheme { semi_implicit, explicit_ };
+enum class ControlScheme { semi_implicit, explicit_, prescribed };  ///< two forms of the PID; or no loop at all
 enum class PlaneState { stress, strain };
 
 struct SoilCase {

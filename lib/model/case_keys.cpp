@@ -20,7 +20,7 @@ constexpr std::string_view body_words[] = {"rigid", "rigid-rim", "elastic"};
 constexpr std::string_view damping_frame_words[] = {"rigid-motion", "absolute"};
 constexpr std::string_view slip_radius_words[] = {"tread", "lug-tip"};
 constexpr std::string_view speed_words[] = {"hub", "tread"};
-constexpr std::string_view control_words[] = {"semi-implicit", "explicit"};
+constexpr std::string_view control_words[] = {"semi-implicit", "explicit", "prescribed"};
 constexpr std::string_view plane_words[] = {"stress", "strain"};
 
 constexpr Words words_of(Integrator) { return integrator_words; }

@@ -17,6 +17,9 @@ double advance_controlled(ControlScheme scheme, const GainsCase& gains, const Co
         velocity = (drive + gain * (target - body.position) + rest) / (inertia + gain * dt);
         error = target - body.position - dt * velocity;
         pid.output = gain * error + rest;
+    } else if (scheme == ControlScheme::prescribed) {
+        velocity = (target - body.position) / dt;
+        pid.output = inertia * velocity - drive;
     } else {
         error = pid.target - body.position;
         pid.output = gains.proportional * error + gains.integral * (pid.error_sum + error * dt) +

@@ -18,7 +18,8 @@ struct ControlledMass {
 ///
 /// Explicit: u from the error at the beginning of the step, as the text has it; stable only for Δt < 2 m / K_d.
 /// Semi-implicit: u from the error at the end of the step, which is linear in v⁺, so it is solved for; no limit.
-/// Updates the loop's memory and its output u.
+/// Prescribed: the target is reached at the end of every step, whatever u that takes (the motion of section 2.4, before
+/// there were loops). Updates the loop's memory and its output u.
 [[nodiscard]] double advance_controlled(ControlScheme scheme, const GainsCase& gains, const ControlledMass& body,
                                         double target, double step_s, PidState& pid);
 

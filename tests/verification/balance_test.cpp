@@ -9,7 +9,7 @@
 #include "dem/bed.hpp"
 #include "step/energy.hpp"
 #include "step/health.hpp"
-#include "support/dem_scenes.hpp"
+#include "support/wheel_scenes.hpp"
 
 namespace ifedem {
 namespace {
@@ -200,25 +200,6 @@ void print(const char* name, const Budget& b) {
         1e3 * (b.after.height_load_J - b.before.height_load_J), 1e3 * b.residual_J());
 }
 
-Case make_small_case(std::int64_t discs, double length_m) {
-    Case c;
-    c.bed.disc_count = discs;
-    c.bed.length_m = length_m;
-    c.contact.consolidation_friction_soil = c.contact.friction_soil;  // everything that can take energy does
-    c.contact.consolidation_friction_wall = c.contact.friction_wall;
-    return c;
-}
-
-World begin(const Case& c) {
-    omp_set_num_threads(1);
-    World w;
-    w.scene = make_scene(c, Stage::consolidation);
-    w.state = make_initial_state(c);
-    begin_stage(w.scene, w.state);
-    w.work = make_workspace(w.scene, w.state);
-    return w;
-}
-
 TEST(Energy, of_a_falling_and_settling_bed_closes) {
     for (const ContactEnd end : {ContactEnd::no_attraction, ContactEnd::attraction}) {
         double residual[2] = {};
@@ -246,34 +227,6 @@ TEST(Energy, of_a_falling_and_settling_bed_closes) {
 }
 
 // ---- Wheel on a small bed -----------------------------------------------------------------------------------------
-
-Case make_wheel_case(WheelBody body) {
-    Case c = make_small_case(900, 0.42);
-    c.wheel.body = body;
-    c.wheel.load_N = 60;
-    c.travel.start_x_m = 0.18;
-    c.travel.speed_m_s = 0.2, c.travel.acceleration_time_s = 0.02;
-    c.stages.consolidation_s = 0.2, c.stages.sinkage_s = 0.1;
-    return c;
-}
-
-void enter(World& w, const Case& c, Stage stage) {
-    w.scene = make_scene(c, stage);
-    begin_stage(w.scene, w.state);
-    w.work = make_workspace(w.scene, w.state);
-}
-
-World run_until_travel(Case c) {
-    World w = begin(c);
-    advance(w, static_cast<std::int64_t>(steps_of_stage(c, Stage::consolidation)));
-    // The elastic rim's elements want a shorter step, and less of it has to do.
-    if (c.wheel.body == WheelBody::elastic) c.time_step_s = 1.4e-5, c.stages.sinkage_s = 0.06;
-    enter(w, c, Stage::sinkage);
-    advance(w, static_cast<std::int64_t>(steps_of_stage(c, Stage::sinkage)));
-    enter(w, c, Stage::travel);
-    advance(w, 1500);
-    return w;
-}
 
 /// T acts as equal tangential shares on the rim's nodes (the text's points of application). They are a pure moment only
 /// while the rim is round; on a deformed elastic rim a small force is left.

@@ -8,77 +8,15 @@
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "step/integrate_discs.hpp"
-#include "support/dem_scenes.hpp"
+#include "support/collisions.hpp"
+#include "support/disc_on_plane.hpp"
+#include "support/squeezed_pair.hpp"
 
 namespace ifedem {
 namespace {
 
 using namespace scene;
-constexpr double g = 9.81;
-
-const char* name_of(Integrator i) {
-    if (i == Integrator::symplectic_euler) return "symplectic";
-    return i == Integrator::modified_euler_one ? "modified-1" : "modified-2";
-}
-
-// ---- Head-on collision of two discs: linear spring and dashpot ----------------------------------------------------
-
-/// Restitution and duration of δ̈ + 2ζω δ̇ + ω²δ = 0 from touch to the end of the contact.
-struct Impact {
-    double restitution = 0;
-    double duration_omega = 0;  ///< t ω0
-};
-
-/// Ends where the overlap does: half a damped period. Ends where the force does (no attraction): Schwager & Pöschel
-/// 2007.
-Impact closed_form(double zeta, ContactEnd end) {
-    const double damped = std::sqrt(1 - zeta * zeta);
-    const double phase = end == ContactEnd::attraction ? pi : pi - std::atan2(2 * zeta * damped, 1 - 2 * zeta * zeta);
-    return {std::exp(-zeta / damped * phase), phase / damped};
-}
-
-/// Where the contact begins: exactly at a step, or anywhere between two, shared evenly by many pairs of discs.
-enum class Entry { at_a_step, spread };
-
-/// What the code makes of it: the mean over the pairs (for spread entries without their noise) and the worst of them.
-struct Measured {
-    double mean_restitution = 0, mean_duration_omega = 0;
-    double worst_error = 0;  ///< of restitution, relative
-};
-
-Measured collide(double zeta, ContactEnd end, Integrator integrator, double step_share, Entry entry) {
-    constexpr double mass = 0.005, radius = 0.0025, approach = 0.2;
-    const std::size_t pairs = entry == Entry::spread ? 64 : 1;
-    const double omega = std::sqrt(stiffness_N_m / (mass / 2));
-    const Impact exact = closed_form(zeta, end);
-    const double dt = step_share * exact.duration_omega / omega;
-    std::vector<Disc> discs;
-    for (std::size_t k = 0; k < pairs; ++k) {
-        const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(pairs),
-                     y = 0.02 * static_cast<double>(k);
-        const double gap = entry == Entry::spread ? share * approach * dt : -1e-16;
-        discs.push_back(make_disc({0, y}, radius, mass, {approach / 2, 0}));
-        discs.push_back(make_disc({2 * radius + gap, y}, radius, mass, {-approach / 2, 0}));
-    }
-    World w = make_world(make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0, end), zeta, dt), discs, integrator);
-    if (integrator != Integrator::symplectic_euler && entry == Entry::at_a_step) {
-        const double first = 2 * zeta * omega * approach / 2;  // C δ̇ / m: the dashpot acts at once
-        w.state.discs.acceleration = {{-first, 0, 0, 0}, {first, 0, 0, 0}};
-    }
-    double pushes = 0;
-    for (int n = 0; n < static_cast<int>(1.4 / step_share) + 3; ++n) {
-        advance(w, 1);
-        for (std::size_t p = 0; p < discs.size(); ++p) pushes += force_on(w, p).x_N != 0 ? 0.5 : 0.0;
-    }
-    Measured m;
-    for (std::uint32_t k = 0; k < pairs; ++k) {
-        const double e = (disc_of(w, 2 * k + 1).vx_m_s - disc_of(w, 2 * k).vx_m_s) / approach;
-        m.mean_restitution += e / static_cast<double>(pairs);
-        m.worst_error = std::fmax(m.worst_error, std::fabs(e / exact.restitution - 1));
-    }
-    m.mean_duration_omega = pushes / static_cast<double>(pairs) * dt * omega;
-    return m;
-}
+constexpr double g = earth_gravity_m_s2;
 
 TEST(Collision, closed_forms_are_those_of_the_tables) {
     // e and t·ω0 as tabulated from an independent integration; half a unit of their last digit.
@@ -140,145 +78,69 @@ INSTANTIATE_TEST_SUITE_P(AllIntegrators, Restitution,
                                                           Integrator::modified_euler_two),
                                           testing::Values(ContactEnd::no_attraction, ContactEnd::attraction)));
 
-/// ζ that gives a wanted restitution, by bisection of the closed form.
-double find_damping_ratio(double restitution, ContactEnd end) {
-    double low = 0, high = 0.707;  // e falls from 1; the atan2 branch ends at 1/√2
-    for (int n = 0; n < 100; ++n) {
-        const double middle = 0.5 * (low + high);
-        (closed_form(middle, end).restitution > restitution ? low : high) = middle;
-    }
-    return low;
-}
-
 // Chung & Ooi 2011, test 3: what rebounds from a wall is e times what arrives, here with e put in through ζ.
 TEST(ChungOoi, case_3_rebound_over_impact_is_the_restitution) {
-    constexpr int discs_side_by_side = 64;
-    constexpr double mass = 2.6e-4, radius = 0.0025, speed = 3.9;
     for (const ContactEnd end : {ContactEnd::no_attraction, ContactEnd::attraction}) {
         for (const double wanted : {0.3, 0.4, 0.6, 0.8, 1.0}) {
-            const double zeta = find_damping_ratio(wanted, end);
-            const double stiffness = 1e8,
-                         dt = closed_form(zeta, end).duration_omega / std::sqrt(stiffness / mass) / 1000;
-            std::vector<Disc> discs;
-            for (int k = 0; k < discs_side_by_side; ++k)
-                discs.push_back(make_disc({0.02 * k, radius + speed * dt * (k + 0.5) / discs_side_by_side}, radius,
-                                          mass, {0, -speed}));
-            DemConstants dem = make_dem(make_contact(stiffness, stiffness / 4, 0, end), zeta, dt);
-            dem.flat_walls = {{{0, 0}, {0, 1}}};
-            World w = make_world(dem, discs);
-            advance(w, 1400);
-            double mean = 0;
-            for (const Disc& d : w.state.discs.disc) mean += d.vy_m_s / speed / discs_side_by_side;
-            std::printf("case 3: wanted e %.2f (zeta %.4f, %s) measured %.5f\n", wanted, zeta,
-                        end == ContactEnd::attraction ? "attraction" : "no attraction", mean);
+            const double mean = rebound_over_impact(wanted, end);
+            std::printf("case 3: wanted e %.2f (zeta %.4f, %s) measured %.5f\n", wanted,
+                        find_damping_ratio(wanted, end), end == ContactEnd::attraction ? "attraction" : "no attraction",
+                        mean);
             EXPECT_NEAR(mean / wanted, 1, 2e-3);  // the scheme's first-order error at 0.1 % of the contact, ζ ≤ 0.5
         }
     }
 }
 
-// Test 4: oblique impact on a wall. Above about 29° from the normal (tan θ > 3 µ (1 + e) for discs) the contact slides
-// throughout, and then the friction impulse is µ times the normal one, whatever the law.
+// Test 4, gross sliding: exact in any number of steps, but for the arm, shorter than r by up to 2.5e-4 r.
 TEST(ChungOoi, case_4_gross_sliding_impact) {
-    constexpr double mass = 2.618e-4, radius = 0.0025, speed = 3.9, friction = 0.092, restitution = 0.98,
-                     stiffness = 1e10;
-    const double zeta = find_damping_ratio(restitution, ContactEnd::no_attraction);
-    const double dt = closed_form(zeta, ContactEnd::no_attraction).duration_omega / std::sqrt(stiffness / mass) / 1000;
     std::printf("case 4: angle  e_t  closed  omega'  closed\n");
     for (const double degrees : {40.0, 50.0, 60.0, 70.0, 80.0, 85.0}) {
-        const double angle = degrees * pi / 180, vt = speed * std::sin(angle), vn = speed * std::cos(angle);
-        DemConstants dem = make_dem(make_contact(stiffness, stiffness / 4, friction), zeta, dt);
-        dem.flat_walls = {{{0, 0}, {0, 1}}};
-        World w = make_world(dem, {make_disc({0, radius + 0.5 * vn * dt}, radius, mass, {vt, -vn})});
-        advance(w, 1400);
-        const Disc& d = disc_of(w, 0);
-        const double e = d.vy_m_s / vn, closed = 1 - friction * (1 + restitution) / std::tan(angle);
-        const double spin = 2 * friction * (1 + restitution) * vn / radius;
-        std::printf("        %4.0f  %.5f %.5f  %8.2f %8.2f\n", degrees, d.vx_m_s / vt, closed, -d.omega_rad_s, spin);
-        EXPECT_NEAR(e, restitution, 1e-4);
-        EXPECT_NEAR(d.vx_m_s, vt - friction * (1 + e) * vn, 1e-12 * speed);  // exact in any number of steps
-        EXPECT_NEAR(d.vx_m_s / vt, closed, 2e-5);
-        EXPECT_NEAR(-d.omega_rad_s / spin, 1, 3e-4);  // the arm is shorter than r by the overlap, up to 2.5e-4 r
+        const ObliqueImpact m = strike_wall(degrees);
+        const double angle = degrees * pi / 180;
+        std::printf("        %4.0f  %.5f %.5f  %8.2f %8.2f\n", degrees, m.tangential, m.closed_tangential, m.spin_rad_s,
+                    m.closed_spin_rad_s);
+        EXPECT_NEAR(m.normal, ObliqueImpact::restitution, 1e-4);
+        EXPECT_NEAR(m.tangential * m.coming_m_s,
+                    m.coming_m_s - ObliqueImpact::friction * (1 + m.normal) * ObliqueImpact::speed * std::cos(angle),
+                    1e-12 * ObliqueImpact::speed);
+        EXPECT_NEAR(m.tangential, m.closed_tangential, 2e-5);
+        EXPECT_NEAR(m.spin_rad_s / m.closed_spin_rad_s, 1, 3e-4);
     }
 }
 
-// Test 7: two equal discs with the same spin collide head-on. Turning the picture by 180° changes nothing.
+// Test 7.
 TEST(ChungOoi, case_7_equal_spins_stay_equal) {
     for (const double omega : {0.0, 20.0, 100.0, 500.0, 2000.0}) {
-        DemConstants dem = make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.4), 0.1, 5e-6);
-        const Vec2 n{0.6, 0.8}, centre = 0.00250000001 * n;
-        World w = make_world(dem, {make_disc(Vec2{} - centre, 0.0025, 0.005, 0.2 * n, omega),
-                                   make_disc(centre, 0.0025, 0.005, -0.2 * n, omega)});
-        advance(w, 400);
-        const Disc &a = disc_of(w, 0), &b = disc_of(w, 1);
-        const double vt = cross(n, velocity_of(a));
+        const SpinningPair m = collide_spinning(omega);
         std::printf("case 7: omega %6.0f -> %10.4f and %10.4f rad/s, tangential speed %+.6f and %+.6f m/s\n", omega,
-                    a.omega_rad_s, b.omega_rad_s, vt, cross(n, velocity_of(b)));
-        EXPECT_NEAR(a.omega_rad_s, b.omega_rad_s, 1e-12 * omega);
-        EXPECT_NEAR(norm(velocity_of(a) + velocity_of(b)), 0, 1e-15);
-        const double e = -dot(n, velocity_of(a)) / 0.2,
-                     slid = 0.4 * (1 + e) * 0.2;  // friction impulse / m if it slides on
+                    m.omega_a_rad_s, m.omega_b_rad_s, m.tangential_a_m_s, m.tangential_b_m_s);
+        EXPECT_NEAR(m.omega_a_rad_s, m.omega_b_rad_s, 1e-12 * omega);
+        EXPECT_NEAR(m.momentum_per_mass_m_s, 0, 1e-15);
+        const double slid = SpinningPair::friction * (1 + m.restitution) *
+                            SpinningPair::approach_m_s;  // friction impulse / m if it slides on
         if (omega == 0) {
-            EXPECT_NEAR(vt, 0, 1e-15);
+            EXPECT_NEAR(m.tangential_a_m_s, 0, 1e-15);
         }
-        // a's side facing b moves to +t, so friction pushes a to −t.
-        if (omega >= 500) {  // the normal turns while they slide
-            EXPECT_NEAR(vt, -slid, 0.02 * slid);
-        }
+        // a's side facing b moves to +t, so friction pushes a to −t. The normal turns while they slide.
         if (omega >= 500) {
-            EXPECT_NEAR(omega - a.omega_rad_s, 2 * slid / 0.0025, 0.02 * 2 * slid / 0.0025);
+            EXPECT_NEAR(m.tangential_a_m_s, -slid, 0.02 * slid);
+            EXPECT_NEAR(omega - m.omega_a_rad_s, 2 * slid / SpinningPair::radius,
+                        0.02 * 2 * slid / SpinningPair::radius);
         }
     }
 }
 
 // ---- One disc on a plane: friction and rolling --------------------------------------------------------------------
 
-constexpr double disc_mass = 0.0075, disc_radius = 0.003, plane_stiffness = 1e6, plane_step = 5e-6;
-
-/// A disc at rest on a plane through the origin that falls to the right by `slope`, pressed in by its own weight.
-World make_disc_on_plane(double slope, double friction, double rolling_chords, Vec2 along_and_spin = {}) {
-    DemConstants dem = make_dem(
-        make_contact(plane_stiffness, plane_stiffness / 4, friction, ContactEnd::no_attraction, rolling_chords), 0.2,
-        plane_step, g);
-    const Vec2 normal{std::sin(slope), std::cos(slope)}, down{std::cos(slope), -std::sin(slope)};
-    dem.flat_walls = {{{0, 0}, normal}};
-    const double height = disc_radius - disc_mass * g * std::cos(slope) / plane_stiffness;
-    return make_world(dem,
-                      {make_disc(height * normal, disc_radius, disc_mass, along_and_spin.x * down, along_and_spin.y)});
-}
-
-/// Acceleration down the slope and angular acceleration (clockwise) over the second half of `time_s`.
-struct Acceleration {
-    double along = 0, clockwise = 0;
-};
-Acceleration run_down(World& w, double slope, double time_s) {
-    const Vec2 down{std::cos(slope), -std::sin(slope)};
-    const auto half = static_cast<std::int64_t>(0.5 * time_s / plane_step);
-    advance(w, half);
-    const Disc before = disc_of(w, 0);
-    advance(w, half);
-    const Disc& after = disc_of(w, 0);
-    const double t = static_cast<double>(half) * plane_step;
-    return {dot(velocity_of(after) - velocity_of(before), down) / t, -(after.omega_rad_s - before.omega_rad_s) / t};
-}
-
-// The contact's arm is r less the overlap of 2.5e-5 r: the closed forms hold for a rigid disc to about that.
-constexpr double rigid_tolerance = 1e-4;
-
 TEST(Friction, launched_sliding_ends_rolling) {
     for (const double friction : {0.1, 0.3, 0.6}) {
-        constexpr double v0 = 0.3;
-        World w = make_disc_on_plane(0, friction, 0, {v0, 0});
-        const auto slip = [&] { return disc_of(w, 0).vx_m_s + disc_of(w, 0).omega_rad_s * disc_radius; };
-        int steps = 0;
-        for (; slip() > 0 && steps < 100000; ++steps) advance(w, 1);
-        const double time = v0 / (3 * friction * g);
-        advance(w, 20000);
-        const Disc& d = disc_of(w, 0);
-        std::printf("launch, mu %.1f: rolls after %.6f s (closed %.6f), v/v0 %.7f, slip %.1e m/s\n", friction,
-                    steps * plane_step, time, d.vx_m_s / v0, slip());
-        EXPECT_NEAR(steps * plane_step, time, 2 * plane_step + rigid_tolerance * time);
-        EXPECT_NEAR(d.vx_m_s / v0, 2.0 / 3, rigid_tolerance);
-        EXPECT_NEAR(slip(), 0, rigid_tolerance * v0);
+        const Launch m = launch_sliding(friction);
+        const double time = Launch::speed_m_s / (3 * friction * g);
+        std::printf("launch, mu %.1f: rolls after %.6f s (closed %.6f), v/v0 %.7f, slip %.1e m/s\n", friction, m.time_s,
+                    time, m.speed_share, m.slip_m_s);
+        EXPECT_NEAR(m.time_s, time, 2 * plane_step + rigid_tolerance * time);
+        EXPECT_NEAR(m.speed_share, 2.0 / 3, rigid_tolerance);
+        EXPECT_NEAR(m.slip_m_s, 0, rigid_tolerance * Launch::speed_m_s);
     }
 }
 
@@ -300,29 +162,20 @@ TEST(Friction, rolls_or_slides_down_an_incline) {
     }
 }
 
-// A disc that may not turn (a rolling resistance without end) is a block.
 TEST(Friction, block_stops_after_v2_over_2_mu_g) {
     for (const double friction : {0.2, 0.4, 0.8}) {
         constexpr double v0 = 0.3;
-        World w = make_disc_on_plane(0, friction, 1e9, {v0, 0});
-        advance(w, static_cast<std::int64_t>((v0 / (friction * g) + 0.02) / plane_step));
+        const Disc d = stop_block(friction, v0);
         const double distance = v0 * v0 / (2 * friction * g);
-        std::printf("block, mu %.1f: stops after %.7f m (closed %.7f)\n", friction, disc_of(w, 0).x_m, distance);
-        EXPECT_EQ(disc_of(w, 0).omega_rad_s, 0);
-        EXPECT_NEAR(disc_of(w, 0).vx_m_s, 0, 1e-9);  // 0.02 s are 20 decay times of the spring
+        std::printf("block, mu %.1f: stops after %.7f m (closed %.7f)\n", friction, d.x_m, distance);
+        EXPECT_EQ(d.omega_rad_s, 0);
+        EXPECT_NEAR(d.vx_m_s, 0, 1e-9);  // 0.02 s are 20 decay times of the spring
         // The velocity stands half a step behind, and the spring gives back µmg/K_s.
-        EXPECT_NEAR(disc_of(w, 0).x_m, distance,
-                    0.5 * v0 * plane_step + friction * disc_mass * g / (plane_stiffness / 4));
+        EXPECT_NEAR(d.x_m, distance, 0.5 * v0 * plane_step + friction * disc_mass * g / (plane_stiffness / 4));
     }
 }
 
 // ---- Rolling resistance, Eq 2.18 ----------------------------------------------------------------------------------
-
-/// Full chord of a disc pressed on a plane by its weight.
-double chord_m(double slope) {
-    const double overlap = disc_mass * g * std::cos(slope) / plane_stiffness;
-    return 2 * std::sqrt(overlap * (2 * disc_radius - overlap));
-}
 
 // Moments about the contact: m g sin θ r against (full chord) m g cos θ. `share` is tan θ over chord / r.
 TEST(Rolling, neutral_angle_is_chord_over_radius) {
@@ -361,31 +214,18 @@ TEST(Rolling, as_a_limit_stops_and_never_reverses) {
 }
 
 TEST(Rolling, spinning_disc_stops_in_the_time_of_a_constant_moment) {
-    constexpr double omega0 = 50;
-    const double per_s = chord_m(0) * disc_mass * g / (0.5 * disc_mass * disc_radius * disc_radius);
     for (const RollingScheme scheme : {RollingScheme::limit, RollingScheme::sign}) {
-        World w = make_disc_on_plane(0, 0, 2, {0, omega0});
-        w.scene.dem.rolling = scheme;
-        const auto half = static_cast<std::int64_t>(0.5 * omega0 / per_s / plane_step);
-        advance(w, half);
-        EXPECT_NEAR(disc_of(w, 0).omega_rad_s / omega0, 0.5, 1e-3);
-        advance(w, half + 10);
-        double largest = 0;
-        int reversals = 0;
-        for (int n = 0; n < 1000; ++n) {
-            const double before = disc_of(w, 0).omega_rad_s;
-            advance(w, 1);
-            if (before * disc_of(w, 0).omega_rad_s < 0) ++reversals;
-            largest = std::fmax(largest, std::fabs(disc_of(w, 0).omega_rad_s));
-        }
+        const SpinDown m = spin_down(scheme);
+        EXPECT_NEAR(m.half_way_share, 0.5, 1e-3);
         std::printf("spin, %s: stop time %.5f s; afterwards |omega| <= %.2e rad/s, %d reversals in 1000 steps\n",
-                    scheme == RollingScheme::limit ? "limit" : "sign", omega0 / per_s, largest, reversals);
+                    scheme == RollingScheme::limit ? "limit" : "sign", m.closed_time_s, m.largest_after_rad_s,
+                    m.reversals);
         if (scheme == RollingScheme::limit) {
-            EXPECT_EQ(largest, 0.0);
-            EXPECT_EQ(reversals, 0);
+            EXPECT_EQ(m.largest_after_rad_s, 0.0);
+            EXPECT_EQ(m.reversals, 0);
         } else {
-            EXPECT_GT(reversals, 900);  // to and fro for ever
-            EXPECT_LT(largest, 1.001 * per_s * plane_step);
+            EXPECT_GT(m.reversals, 900);  // to and fro for ever
+            EXPECT_LT(m.largest_after_rad_s, 1.001 * spin_loss_rad_s2() * plane_step);
         }
     }
 }
@@ -426,25 +266,11 @@ TEST(Rolling, spring_of_other_codes_is_linear_up_to_its_cap) {
 
 TEST(Statics, column_overlaps_are_the_weights_above) {
     for (const int count : {1, 2, 5, 10}) {
-        constexpr double mass = 0.005, radius = 0.0025;
-        std::vector<Disc> discs;
-        for (int k = 0; k < count; ++k) discs.push_back(make_disc({0, (2 * k + 1) * radius}, radius, mass));
-        DemConstants dem = make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.6), 0.7, 3e-5, g);
-        dem.flat_walls = {{{0, 0}, {0, 1}}};
-        World w = make_world(dem, discs);
-        advance(w, 30000);
-        const double unit = mass * g / stiffness_N_m;
-        double sum = 0, worst = 0, below = -radius;
-        for (int k = 0; k < count; ++k) {
-            const double overlap = 2 * radius - (disc_of(w, static_cast<std::uint32_t>(k)).y_m - below);
-            below = disc_of(w, static_cast<std::uint32_t>(k)).y_m;
-            worst = std::fmax(worst, std::fabs(overlap / ((count - k) * unit) - 1));
-            sum += overlap;
-        }
+        const Column m = settle_column(count);
         std::printf("column of %2d: overlaps sum to %.9f mg/Kn (closed %.1f), worst overlap off by %.1e\n", count,
-                    sum / unit, 0.5 * count * (count + 1), worst);
-        EXPECT_NEAR(sum / unit, 0.5 * count * (count + 1), 1e-6);  // what is left of settling after 0.9 s
-        EXPECT_LT(worst, 1e-6);
+                    m.sum, 0.5 * count * (count + 1), m.worst);
+        EXPECT_NEAR(m.sum, 0.5 * count * (count + 1), 1e-6);  // what is left of settling after 0.9 s
+        EXPECT_LT(m.worst, 1e-6);
     }
 }
 
@@ -500,46 +326,6 @@ TEST(Conservation, momentum_of_an_isolated_pair) {
 }
 
 // ---- Critical time step -------------------------------------------------------------------------------------------
-
-constexpr double squeeze_N = 0.1, soft_N_m = 100, pair_mass = 0.005, pair_radius = 0.0025;
-
-/// Two discs held together by soft frictionless walls, so that they can oscillate about a touch.
-World make_squeezed_pair(double zeta, double tangential_N_m, double dt) {
-    DemConstants dem = make_dem(make_contact(stiffness_N_m, tangential_N_m, 1e3), zeta, dt);
-    dem.wall = make_contact(soft_N_m, soft_N_m, 0);
-    const double first = pair_radius - squeeze_N / soft_N_m,
-                 second = first + 2 * pair_radius - squeeze_N / stiffness_N_m;
-    dem.flat_walls = {{{0, 0}, {1, 0}}, {{second + first, 0}, {-1, 0}}};
-    return make_world(dem,
-                      {make_disc({first, 0}, pair_radius, pair_mass), make_disc({second, 0}, pair_radius, pair_mass)});
-}
-
-/// Growth a step of a mode that flips sign at every step, and the largest amplitude in 100 steps, times the first.
-double growth_a_step(World w, double Disc::*speed, double kick) {
-    w.state.discs.disc[0].*speed = kick;
-    w.state.discs.disc[1].*speed = speed == &Disc::omega_rad_s ? kick : -kick;
-    advance(w, 40);
-    const double early = std::fabs(disc_of(w, 0).*speed);
-    advance(w, 20);
-    return std::pow(std::fabs(disc_of(w, 0).*speed) / early, 1.0 / 20);
-}
-double largest_amplification(World w, double Disc::*speed, double kick) {
-    w.state.discs.disc[0].*speed = kick;
-    w.state.discs.disc[1].*speed = speed == &Disc::omega_rad_s ? kick : -kick;
-    double largest = 0;
-    for (int n = 0; n < 100; ++n) {  // later the squeezed pair buckles sideways, as it should
-        advance(w, 1);
-        largest = std::fmax(largest, std::fabs(disc_of(w, 0).*speed) / kick);
-    }
-    return largest;
-}
-
-// Symplectic steps of ẍ + 2ζω ẋ + ω²x = 0 with a lagged dashpot: λ² − (2 − Ω² − 2ζΩ) λ + 1 − 2ζΩ = 0, Ω = ω Δt. λ = −1
-// at Ω = 2 (√(1+ζ²) − ζ): without damping the pair normal limit 2/√(2k/m).
-double flip_factor(double zeta, double big_omega) {
-    const double trace = 2 - big_omega * big_omega - 2 * zeta * big_omega, product = 1 - 2 * zeta * big_omega;
-    return 0.5 * (trace - std::sqrt(trace * trace - 4 * product));
-}
 
 TEST(CriticalStep, normal_oscillation_of_a_pair) {
     for (const double zeta : {0.0, 0.2, 0.5}) {

@@ -1,0 +1,44 @@
+#include "output.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "check/csv.hpp"
+#include "check/statistics.hpp"
+
+namespace ifedem::chapter2 {
+
+Output::Output(std::string directory) : directory_(std::move(directory)) {}
+
+void Output::add(const std::string& name, double value, const std::string& units, const std::string& note) {
+    lines_ += csv_line({name, fmt::format("{:.9g}", value), units, "0", "1", note});
+    fmt::print("{:<44} {:>14.8g} {}\n", name, value, units);
+}
+
+void Output::add(const std::string& name, std::span<const double> values, const std::string& units,
+                 const std::string& note) {
+    const double middle = mean(values), scatter = standard_deviation(values);
+    lines_ += csv_line({name, fmt::format("{:.9g}", middle), units, fmt::format("{:.6g}", scatter),
+                        std::to_string(values.size()), note});
+    fmt::print("{:<44} {:>14.8g} {} (s {:.3g}, n {})\n", name, middle, units, scatter, values.size());
+}
+
+void Output::write_table(const std::string& file, const std::string& header,
+                         const std::vector<std::vector<std::string>>& rows) const {
+    std::string text = header + "\n";
+    for (const auto& row : rows) text += csv_line(row);
+    write_text(directory_ + "/" + file, text);
+}
+
+void Output::finish() const {
+    write_text(directory_ + "/measurements.csv", "name,value,units,scatter,n,note\n" + lines_);
+}
+
+std::string number(double value) { return format_number(value); }
+
+double observed_order(double coarse, double middle, double fine) {
+    return std::log2(std::fabs((coarse - middle) / (middle - fine)));
+}
+
+}  // namespace ifedem::chapter2

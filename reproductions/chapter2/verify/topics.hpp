@@ -1,0 +1,11 @@
+#pragma once
+#include "output.hpp"
+
+namespace ifedem::chapter2 {
+
+void measure_integration(Output& out, Effort effort);  ///< Eqs 2.1–2.3, 2.6–2.12
+void measure_contact(Output& out, Effort effort);      ///< Eqs 2.17, 2.18, section 2.5, small exact cases
+void measure_elements(Output& out, Effort effort);     ///< Eqs 2.4, 2.5
+void measure_traction(Output& out, Effort effort);     ///< Eqs 2.13–2.16, Fig 2-5
+
+}  // namespace ifedem::chapter2
