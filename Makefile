@@ -105,7 +105,7 @@ docs: ## the library's documentation by Doxygen: build/docs/html/index.html
 	@mkdir -p $(BUILD)/docs && doxygen lib/Doxyfile
 
 check: build ## what a contributor runs before a commit: format, tidy, tests
-	@find lib tests -name '*.?pp' | xargs clang-format --dry-run -Werror
+	@find lib tests reproductions -name '*.?pp' | xargs clang-format --dry-run -Werror
 	@$(MAKE) --no-print-directory test
 
 clean: ## remove everything that was built or simulated

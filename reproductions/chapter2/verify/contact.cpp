@@ -40,18 +40,15 @@ void measure_restitution(Output& out) {
             worst_duration = std::fmax(worst_duration, std::fabs(m.duration / closed.duration_omega - 1));
             out.add(fmt::format("restitution_{}_{:g}", name_of(end), zeta), m.restitution, "-",
                     "limit of steps 1, 0.5, 0.25 % of the contact");
-            rows.push_back({name_of(end), number(zeta), number(m.restitution), number(m.duration)});
+            rows.push_back({"measured", name_of(end), number(zeta), number(m.restitution), number(m.duration)});
         }
-    }
-    out.write_table("restitution.csv", "end,zeta,restitution,duration_omega", rows);
-    rows.clear();
-    for (const ContactEnd end : contact_ends) {
         for (double zeta = 0.005; zeta < 0.7051; zeta += 0.01) {
             const Impact closed = closed_form(zeta, end);
-            rows.push_back({name_of(end), number(zeta), number(closed.restitution), number(closed.duration_omega)});
+            rows.push_back(
+                {"closed", name_of(end), number(zeta), number(closed.restitution), number(closed.duration_omega)});
         }
     }
-    out.write_table("restitution_closed.csv", "end,zeta,restitution,duration_omega", rows);
+    out.write_table("restitution.csv", "kind,end,zeta,restitution,duration_omega", rows);
     out.add("contact_duration_worst", worst_duration, "-", "relative error of t ω0, worst of twelve");
 }
 
@@ -111,8 +108,11 @@ void measure_friction(Output& out) {
     out.add("column_overlaps", settle_column(10).sum, "-", "overlaps of ten discs in m g/K_n");
 }
 
-/// tan θ at which a disc that already rolls keeps its speed, over α b/r with b the half chord; by bisection.
-double neutral_slope_over_closed(double half_chords) {
+/// tan θ at which a disc that already rolls keeps its speed, by bisection, and α b/r, with b the half chord.
+struct NeutralSlope {
+    double measured = 0, closed = 0;
+};
+NeutralSlope find_neutral_slope(double half_chords) {
     const auto closed = [&](double slope) { return 0.5 * half_chords * chord_m(slope) / disc_radius; };
     double low = 0, high = 4 * closed(0);
     for (int k = 0; k < 24; ++k) {
@@ -120,15 +120,18 @@ double neutral_slope_over_closed(double half_chords) {
         World w = make_disc_on_plane(slope, 0.6, half_chords, {0.05, -0.05 / disc_radius});
         (run_down(w, slope, 0.02).along < 0 ? low : high) = middle;
     }
-    return low / closed(std::atan(low));
+    return {low, closed(std::atan(low))};
 }
 
 void measure_rolling(Output& out) {
     std::vector<std::vector<std::string>> rows;
-    for (const double half_chords : {0.5, 1.0, 2.0, 4.0})
-        rows.push_back({number(half_chords), number(neutral_slope_over_closed(half_chords))});
-    out.write_table("neutral_slope.csv", "half_chords,slope_over_closed", rows);
-    out.add("rolling_neutral_slope", neutral_slope_over_closed(2), "-", "tan θ over α b/r, full chord");
+    for (const double half_chords : {0.5, 1.0, 2.0, 4.0, 6.0, 8.0}) {
+        const NeutralSlope slope = find_neutral_slope(half_chords);
+        rows.push_back({number(half_chords), number(slope.closed), number(slope.measured)});
+        if (half_chords == 2)
+            out.add("rolling_neutral_slope", slope.measured / slope.closed, "-", "tan θ over α b/r, full chord");
+    }
+    out.write_table("neutral_slope.csv", "alpha,closed,measured", rows);
     const SpinDown limit = spin_down(RollingScheme::limit), sign = spin_down(RollingScheme::sign);
     out.add("rolling_half_way", limit.half_way_share, "-", "of the first ω, at half of the closed stopping time");
     out.add("rolling_limit_rest", limit.largest_after_rad_s, "rad/s", "largest |ω| in 1000 steps after the stop");

@@ -14,7 +14,10 @@ int run_program(int argc, char** argv) {
     const std::map<std::string, void (*)(Output&, Effort)> topics{{"integration", measure_integration},
                                                                   {"contact", measure_contact},
                                                                   {"elements", measure_elements},
-                                                                  {"traction", measure_traction}};
+                                                                  {"traction", measure_traction},
+                                                                  {"packing", measure_packing},
+                                                                  {"heap", measure_heap},
+                                                                  {"sand", measure_sand}};
     CLI::App app{"chapter2_verify: measures one topic of chapter 2"};
     std::string topic, directory;
     bool quick = false;

@@ -8,4 +8,8 @@ void measure_contact(Output& out, Effort effort);      ///< Eqs 2.17, 2.18, sect
 void measure_elements(Output& out, Effort effort);     ///< Eqs 2.4, 2.5
 void measure_traction(Output& out, Effort effort);     ///< Eqs 2.13–2.16, Fig 2-5
 
+void measure_heap(Output& out, Effort effort);     ///< angle of repose
+void measure_packing(Output& out, Effort effort);  ///< porosity of the bed
+void measure_sand(Output& out, Effort effort);     ///< biaxial and confined compression
+
 }  // namespace ifedem::chapter2

@@ -1,0 +1,41 @@
+# Chapter 2 as a graph of files: measurements and runs → checks → report. Included from the top level's directory:
+#   make -f reproductions/chapter2/chapter.mk reproduce
+# A topic is measured again when the program that measures it has been rebuilt.
+
+CHAPTER := reproductions/chapter2
+QUICK   ?=
+OUT     := build/runs/$(if $(QUICK),quick2,chapter2)
+REPORT  := build/reports/$(if $(QUICK),quick2,chapter2)
+VERIFY  := build/chapter2_verify
+COMMAND ?= make $(if $(QUICK),quick,reproduce)-chapter2
+
+TOPICS  := integration contact elements traction
+DONE    := $(addprefix $(OUT)/,$(addsuffix /measurements.csv,$(TOPICS)))
+
+# The maps of where methods fail: targets limits and limits-quick, results in build/runs/chapter2/limits.
+LIMITS  := $(wildcard $(CHAPTER)/limits/limits.mk)
+include $(LIMITS)
+LIMITS_OUT := $(if $(LIMITS),build/runs/chapter2/limits)
+
+.PHONY: reproduce quick measure report
+.SECONDARY:
+
+reproduce:
+	@cmake --build build --target chapter2_verify -j $(JOBS)
+	@$(MAKE) --no-print-directory -k -j$(JOBS) -f $(CHAPTER)/chapter.mk measure
+	@$(MAKE) --no-print-directory -f $(CHAPTER)/chapter.mk report
+
+quick:
+	@$(MAKE) --no-print-directory -f $(CHAPTER)/chapter.mk QUICK=1 reproduce
+
+measure: $(DONE) $(if $(LIMITS),$(if $(QUICK),limits-quick,limits))
+
+$(OUT)/%/measurements.csv: $(VERIFY)
+	@mkdir -p $(OUT)/$*
+	@$(VERIFY) $* -o $(OUT)/$* $(if $(QUICK),--quick) > $(OUT)/$*/log.txt
+
+report:
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(addprefix $(OUT)/,$(TOPICS)) $(LIMITS_OUT) -o $(REPORT) \
+	  --title "Chapter 2: the formulation verified, and where each method fails" --command "$(COMMAND)"
+	@echo "report: $(REPORT)/index.html"
+	@$(if $(QUICK),,$(IFEDEM) check $(CHAPTER)/claims.csv $(addprefix $(OUT)/,$(TOPICS)) $(LIMITS_OUT) -o $(REPORT)/checks.csv)
