@@ -297,6 +297,22 @@ TEST(Scheme, output_is_the_sum_of_the_three_terms) {
     }
 }
 
+// The motion before the PID: the target is met in every step, and u is what m dv/dt + c v - F asks for.
+TEST(Scheme, prescribed_motion_meets_its_target) {
+    const double dt = 1e-3, mass = 2, damping = 3, force = 5;
+    PidState pid;
+    double x = 0, v = 0, target = 0;
+    for (int n = 0; n < 100; ++n) {
+        target += dt * 0.1 * (n + 1);
+        const double before = v;
+        v = advance_controlled(ControlScheme::prescribed, {}, {mass, damping, x, v, force}, target, dt, pid);
+        x += dt * v;
+        EXPECT_NEAR(x, target, 1e-15);
+        EXPECT_NEAR(pid.output, mass * (v - before) / dt + 0.5 * damping * (v + before) - force, 1e-9);
+    }
+    EXPECT_NEAR(v, 10, 1e-9);
+}
+
 TEST(Travel, speeds_rise_with_the_ramp_and_follow_the_slip) {
     TravelCase t;
     WheelCase w;

@@ -38,6 +38,12 @@ private:
     [[nodiscard]] const FlatWall& wall(Wall w) const { return sample.world().scene.dem.flat_walls[w]; }
 };
 
+struct SampleSize {
+    std::int64_t discs = 0;
+    int steps = 0;  ///< of isotropic consolidation
+};
+SampleSize size_of(Effort effort) { return effort == Effort::full ? SampleSize{2000, 25000} : SampleSize{800, 15000}; }
+
 Cell make_cell(int seed, std::int64_t count) {
     Case c;
     c.gravity_m_s2 = 0;
@@ -145,8 +151,8 @@ void measure_biaxial(Output& out, Effort effort) {
         std::vector<double> peak, end, dilatancy, secant;
         std::vector<Curve> all;
         for (int seed = 1; seed <= seeds; ++seed) {
-            Cell cell = make_cell(seed, full ? 2000 : 800);
-            consolidate(cell, lateral_Pa, full ? 25000 : 15000);
+            Cell cell = make_cell(seed, size_of(effort).discs);
+            consolidate(cell, lateral_Pa, size_of(effort).steps);
             all.push_back(shear(cell, level, full ? 0.15 : 0.05));
             const Strength s = read_strength(all.back());
             peak.push_back(s.peak_deg), end.push_back(s.end_deg);
@@ -174,34 +180,50 @@ void measure_biaxial(Output& out, Effort effort) {
             "peak friction angle at α = 1 less that at α = 0, seed by seed");
 }
 
-/// Confined compression: the sides stand, top and bottom approach. Secant modulus at 3 %, as chapter 5 reads it.
+struct Compression {
+    std::vector<double> strain, stress_Pa;
+    double lattice_Pa = 0;  ///< (√3/4)(3 K_n + K_s)/t: the triangular lattice of the same springs
+    double start_Pa = 0;
+    [[nodiscard]] double secant_Pa() const { return (stress_Pa.back() - start_Pa) / strain.back(); }
+};
+
+/// Confined compression to 3 %: the sides stand, bottom and top approach.
+Compression compress(int seed, const SampleSize& size) {
+    constexpr double largest_strain = 0.03, rate_1_s = 0.05;
+    Compression result;
+    result.start_Pa = 500;
+    Cell cell = make_cell(seed, size.discs);
+    consolidate(cell, result.start_Pa, size.steps);
+    const DemConstants& dem = cell.sample.world().scene.dem;
+    result.lattice_Pa =
+        std::sqrt(3.0) / 4 * (3 * dem.soil.normal_stiffness_N_m + dem.soil.tangential_stiffness_N_m) / cell.thickness_m;
+    cell.sample.set_friction(cell.friction, 0);
+    const double height = cell.height_m();
+    const auto steps = static_cast<int>(largest_strain / rate_1_s / dem.step_s);
+    constexpr int interval = 250;
+    double mean_Pa = 0;
+    for (int n = 1; n <= steps; ++n) {
+        const double down = 0.5 * rate_1_s * dem.step_s * height;
+        cell.sample.step({down, 0, 0, down});
+        mean_Pa += cell.axial_Pa() / interval;
+        if (n % interval != 0) continue;
+        result.strain.push_back(1 - cell.height_m() / height);
+        result.stress_Pa.push_back(mean_Pa);
+        mean_Pa = 0;
+    }
+    return result;
+}
+
+/// Secant modulus at 3 %, as chapter 5 reads it.
 void measure_confined_sand(Output& out, Effort effort) {
-    constexpr double largest_strain = 0.03, rate_1_s = 0.05, start_Pa = 500;
     std::vector<double> modulus, share;
     std::vector<std::vector<std::string>> rows;
     for (int seed = 1; seed <= (effort == Effort::full ? 5 : 2); ++seed) {
-        Cell cell = make_cell(seed, effort == Effort::full ? 2000 : 800);
-        consolidate(cell, start_Pa, effort == Effort::full ? 25000 : 15000);
-        const DemConstants& dem = cell.sample.world().scene.dem;
-        cell.sample.set_friction(cell.friction, 0);
-        const double height = cell.height_m(), dt = dem.step_s;
-        const auto steps = static_cast<int>(largest_strain / rate_1_s / dt);
-        double mean_Pa = 0;
-        constexpr int interval = 250;
-        for (int n = 1; n <= steps; ++n) {
-            const double down = 0.5 * rate_1_s * dt * height;
-            cell.sample.step({down, 0, 0, down});
-            mean_Pa += cell.axial_Pa() / interval;
-            if (n % interval != 0) continue;
-            rows.push_back(
-                {std::to_string(seed), number(100 * (1 - cell.height_m() / height)), number(1e-3 * mean_Pa)});
-            if (n + interval > steps) modulus.push_back(1e-6 * (mean_Pa - start_Pa) / (1 - cell.height_m() / height));
-            mean_Pa = 0;
-        }
-        const double lattice = std::sqrt(3.0) / 4 *
-                               (3 * dem.soil.normal_stiffness_N_m + dem.soil.tangential_stiffness_N_m) /
-                               cell.thickness_m;
-        share.push_back(1e6 * modulus.back() / lattice);
+        const Compression c = compress(seed, size_of(effort));
+        modulus.push_back(1e-6 * c.secant_Pa());
+        share.push_back(c.secant_Pa() / c.lattice_Pa);
+        for (std::size_t k = 0; k < c.strain.size(); ++k)
+            rows.push_back({std::to_string(seed), number(100 * c.strain[k]), number(1e-3 * c.stress_Pa[k])});
     }
     out.write_table("confined.csv", "seed,strain_percent,stress_kPa", rows);
     out.add("sand_confined_modulus", modulus, "MPa", "secant at 3 %, from 0.5 kPa; chapter 3's springs");
@@ -209,6 +231,8 @@ void measure_confined_sand(Output& out, Effort effort) {
 }
 
 }  // namespace
+
+double confined_modulus_Pa(int seed) { return compress(seed, size_of(Effort::quick)).secant_Pa(); }
 
 void measure_sand(Output& out, Effort effort) {
     measure_confined_sand(out, effort);

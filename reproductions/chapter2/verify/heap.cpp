@@ -87,6 +87,7 @@ struct Sweep {
     const char* name;
     double Heap::*member;
     std::vector<double> levels;
+    double rolling = 1;
 };
 
 }  // namespace
@@ -95,16 +96,22 @@ void measure_heap(Output& out, Effort effort) {
     const bool full = effort == Effort::full;
     const int seeds = full ? 8 : 3;
     const std::int64_t count = full ? 800 : 500;
+    const std::vector<double> densities = full ? std::vector{0.5, 1.0, 2.0} : std::vector{1.0, 2.0};
+    const std::vector<double> stiffnesses = full ? std::vector{0.3, 1.0, 3.0} : std::vector{1.0, 3.0};
+    // Density and stiffness twice: without rolling resistance, and with that of Eq 2.18, whose arm grows with the load.
     const std::vector<Sweep> sweeps{
         {"sliding", &Heap::friction, full ? std::vector{0.1, 0.2, 0.3, 0.45, 0.6, 0.8} : std::vector{0.1, 0.6}},
         {"rolling", &Heap::rolling, full ? std::vector{0.0, 0.5, 1.0, 2.0, 4.0} : std::vector{0.0, 4.0}},
-        {"density", &Heap::density, full ? std::vector{0.5, 1.0, 2.0} : std::vector{1.0, 2.0}},
-        {"stiffness", &Heap::stiffness, full ? std::vector{0.3, 1.0, 3.0} : std::vector{1.0, 3.0}}};
+        {"density", &Heap::density, densities, 0},
+        {"stiffness", &Heap::stiffness, stiffnesses, 0},
+        {"density_chord", &Heap::density, densities},
+        {"stiffness_chord", &Heap::stiffness, stiffnesses}};
     std::vector<std::vector<std::string>> rows, shape;
     for (const Sweep& sweep : sweeps) {
         std::vector<std::vector<double>> angles;
         for (const double level : sweep.levels) {
             Heap heap;
+            heap.rolling = sweep.rolling;
             heap.*sweep.member = level;
             std::vector<double> at_level;
             for (int seed = 1; seed <= seeds; ++seed) {

@@ -4,6 +4,7 @@
 #include <exception>
 #include <map>
 
+#include "core/error.hpp"
 #include "topics.hpp"
 
 namespace {
@@ -17,16 +18,24 @@ int run_program(int argc, char** argv) {
                                                                   {"traction", measure_traction},
                                                                   {"packing", measure_packing},
                                                                   {"heap", measure_heap},
-                                                                  {"sand", measure_sand}};
+                                                                  {"sand", measure_sand},
+                                                                  {"footing", measure_footing},
+                                                                  {"calculix", measure_calculix}};
     CLI::App app{"chapter2_verify: measures one topic of chapter 2"};
-    std::string topic, directory;
+    std::string topic, directory, runs;
     bool quick = false;
-    app.add_option("topic", topic, "what to measure")->required()->check(CLI::IsMember(topics));
+    app.add_option("topic", topic, "what to measure")->check(CLI::IsMember(topics));
     app.add_option("-o,--output", directory, "directory for its tables")->required();
+    app.add_option("--travels", runs, "read the travels in this directory instead of measuring a topic");
     app.add_flag("--quick", quick, "fewer levels and realisations");
     CLI11_PARSE(app, argc, argv);
     Output out(directory);
-    topics.at(topic)(out, quick ? Effort::quick : Effort::full);
+    if (!runs.empty())
+        measure_travels(out, runs);
+    else if (!topic.empty())
+        topics.at(topic)(out, quick ? Effort::quick : Effort::full);
+    else
+        ifedem::fail_input("nothing to measure (neither a topic nor --travels). Give one.");
     out.finish();
     return 0;
 }

@@ -39,6 +39,9 @@ private:
     std::vector<double> wall_force_N_;
 };
 
+/// Secant modulus of a small sample of chapter 3's sand in confined compression to 3 %.
+[[nodiscard]] double confined_modulus_Pa(int seed);
+
 /// b − a, seed by seed.
 [[nodiscard]] std::vector<double> paired(const std::vector<double>& a, const std::vector<double>& b);
 

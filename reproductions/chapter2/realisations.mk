@@ -1,0 +1,1 @@
+include reproductions/chapter3/realisations.mk
