@@ -10,7 +10,7 @@ set xrange [0:0.9]
 plot data using (pick("sliding",2)):3 with points pointtype 6 pointsize 0.7 linecolor rgb earth_colour, \
      data using (pick("sliding",2)):3 smooth unique with lines linewidth 1.4 linecolor rgb earth_colour
 set xlabel "α (full chord), µ = 0.6"
-set xrange [-0.2:4.2]
+set xrange [-0.1:2.1]
 plot data using (pick("rolling",2)):3 with points pointtype 6 pointsize 0.7 linecolor rgb earth_colour, \
      data using (pick("rolling",2)):3 smooth unique with lines linewidth 1.4 linecolor rgb earth_colour
 set logscale x
