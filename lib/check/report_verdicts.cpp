@@ -103,11 +103,23 @@ void add_list(Section& section, const std::vector<Outcome>& outcomes, Verdict ve
     section.blocks.emplace_back(std::move(list));
 }
 
-/// What agrees needs its name only: its numbers stand in the tables.
+/// A value that checks the program itself (external.csv), not a statement of the text.
+bool is_external(const Outcome& o) { return o.ledger.kind == "exact" || o.ledger.kind == "published"; }
+
+/// What agrees needs its name only: its numbers stand in the tables. Closed forms and other publications can be many,
+/// so they are counted.
 void add_matches(Section& section, const std::vector<Outcome>& outcomes) {
     std::vector<std::string> names;
-    for (const auto& o : outcomes)
-        if (o.verdict == Verdict::match) names.push_back(name_of(o));
+    std::size_t external = 0;
+    for (const auto& o : outcomes) {
+        if (o.verdict != Verdict::match) continue;
+        if (is_external(o))
+            ++external;
+        else
+            names.push_back(name_of(o));
+    }
+    if (external > 0)
+        names.push_back(fmt::format("{} closed forms and values of other publications (table below)", external));
     if (names.empty()) return;
     section.blocks.emplace_back(Paragraph{"Reproduced", "lead match"});
     section.blocks.emplace_back(Paragraph{fmt::format("{}.", fmt::join(names, "; ")), ""});
@@ -202,12 +214,15 @@ Section summary_section(const std::vector<Outcome>& outcomes) {
     Section s{"summary", "In plain words", {}};
     const auto counts = count_verdicts(outcomes);
     const std::size_t open = counts[static_cast<std::size_t>(Verdict::not_computable)];
+    const auto external = static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(), is_external));
+    const std::string others =
+        external == 0 ? "" : fmt::format(", {} of them against closed forms and other publications", external);
     s.blocks.emplace_back(Paragraph{
         fmt::format(
-            "The dissertation makes statements here that can be right or wrong; {} checks judge them. {} could be "
+            "The dissertation makes statements here that can be right or wrong; {} checks judge them{}. {} could be "
             "computed: "
             "{} agree, {} are too uncertain to tell, {} differ and the cause is shown, {} differ and it is not.",
-            outcomes.size(), outcomes.size() - open, counts[0], counts[1], counts[2], counts[3]),
+            outcomes.size(), others, outcomes.size() - open, counts[0], counts[1], counts[2], counts[3]),
         ""});
     Table key = planets_table(outcomes);
     if (!key.rows.empty()) s.blocks.emplace_back(std::move(key));

@@ -8,9 +8,9 @@ levels = "0 0.5 1 2"
 set xlabel "axial strain [%]"
 set xrange [0:*]
 set ylabel "σ_1/σ_3"
-do for [k=1:4] { set label k sprintf("α = %s", word(levels,k)) at graph 0.7,graph (0.06+0.07*k) left textcolor rgb word(hues,k) }
+do for [k=1:4] { set label k sprintf("α = %s", word(levels,k)) at graph 0.7,graph (0.2+0.07*k) left textcolor rgb word(hues,k) }
 plot for [k=1:4] data using (pick(word(levels,k)+0,2)):3 skip 1 with lines linewidth 1.5 linecolor rgb word(hues,k)
 do for [k=1:4] { unset label k }
-set ylabel "volumetric strain [%], compression > 0"
+set ylabel "volumetric strain [%]"
 plot for [k=1:4] data using (pick(word(levels,k)+0,2)):4 skip 1 with lines linewidth 1.5 linecolor rgb word(hues,k)
 unset multiplot
