@@ -32,6 +32,22 @@ std::vector<FigureRow> read_rows(const std::string& path) {
     return rows;
 }
 
+/// The chapter's own figures, then those of its folders that have some; their scripts stand beside them.
+std::vector<FigureRow> read_all_rows(const std::string& chapter) {
+    std::vector<FigureRow> rows = read_rows(chapter + "/figures.csv");
+    std::vector<std::string> folders;
+    for (const auto& entry : fs::directory_iterator(chapter))
+        if (fs::exists(entry.path() / "figures.csv")) folders.push_back(entry.path().filename().string());
+    std::sort(folders.begin(), folders.end());
+    for (const auto& folder : folders) {
+        for (FigureRow row : read_rows(fmt::format("{}/{}/figures.csv", chapter, folder))) {
+            if (row.data != "snapshot") row.script = folder + "/" + row.script;
+            rows.push_back(std::move(row));
+        }
+    }
+    return rows;
+}
+
 using Variables = std::vector<std::pair<std::string, std::string>>;
 
 Figure start_figure(const FigureRow& row, const char* image_ending) {
@@ -162,7 +178,7 @@ std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campa
                                  const std::vector<Outcome>& outcomes) {
     std::vector<Figure> figures;
     fs::create_directories(fs::path(paths.out) / "figures");
-    for (const auto& row : read_rows(paths.chapter + "/figures.csv")) {
+    for (const auto& row : read_all_rows(paths.chapter)) {
         const bool is_picture = row.data == "file" && row.series.ends_with(".png");
         const auto figure = row.data == "snapshot" ? copy_snapshot(row, paths, campaign)
                             : is_picture           ? copy_picture(row, paths, campaign)

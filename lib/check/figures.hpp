@@ -17,6 +17,7 @@ struct ReportPaths {
 };
 
 /// Draws every line of figures.csv whose runs exist into out/figures, with its data as CSV beside it.
+/// The same for figures.csv in folders of the chapter's, whose scripts stand there.
 /// A line: name, script, data, metric, series, title, ylabel, caption, style.
 ///   data "slip": `metric` against slip for each "wheel gravity load" of `series` (separated by |; without a wheel B3),
 ///   with the text's numbers
