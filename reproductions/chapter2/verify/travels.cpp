@@ -16,7 +16,7 @@
 namespace ifedem::chapter2 {
 namespace {
 
-constexpr Window window{0.15, 0.30};
+constexpr Window window{0.10, 0.22};
 
 /// Results by method, slip and realisation: all that stand in the directory.
 using Results = std::map<std::string, std::map<int, std::map<int, RunMetrics>>>;
