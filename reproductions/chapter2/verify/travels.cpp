@@ -52,11 +52,12 @@ std::vector<double> difference(const std::map<int, RunMetrics>& a, const std::ma
     return values;
 }
 
-/// Change of |R| from the lowest to the highest slip; R < 0.
+/// Change of |R| from the lowest to the highest slip over the load; R < 0.
 std::vector<double> change_of_resistance(const std::map<int, std::map<int, RunMetrics>>& by_slip,
                                          double RunMetrics::*member) {
+    constexpr double load_N = 170;
     std::vector<double> change = difference(by_slip.begin()->second, by_slip.rbegin()->second, member);
-    for (double& c : change) c = -c;
+    for (double& c : change) c /= -load_N;
     return change;
 }
 
@@ -80,12 +81,12 @@ void compare_methods(Output& out, const Results& results) {
                 rows.push_back({method, q.name, std::to_string(slip), number(mean(values)),
                                 number(standard_deviation(values)), std::to_string(values.size())});
             }
-        const std::string note = "|R| at the highest slip less that at the lowest, by realisation";
+        const std::string note = "|R|/W at the highest slip less that at the lowest, by realisation";
         out.add(std::string("resistance_change_sum_") + method,
-                change_of_resistance(by_slip->second, &RunMetrics::direct_resistance_N), "N",
+                change_of_resistance(by_slip->second, &RunMetrics::direct_resistance_N), "-",
                 "R = Σf_x⁻ (Eq 2.14): " + note);
         out.add(std::string("resistance_change_torque_") + method,
-                change_of_resistance(by_slip->second, &RunMetrics::motion_resistance_N), "N",
+                change_of_resistance(by_slip->second, &RunMetrics::motion_resistance_N), "-",
                 "R = P_d − T/r_e (Eqs 3.5–3.7): " + note);
     }
     out.write_table("methods.csv", "method,quantity,slip_percent,mean,scatter,n", rows);
