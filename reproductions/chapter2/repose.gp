@@ -7,10 +7,12 @@ set ylabel "angle of repose [°]"
 set yrange [0:50]
 set xlabel "friction µ (full chord, α = 1)"
 set xrange [0:0.9]
+set xtics 0.2
 plot data using (pick("sliding",2)):3 with points pointtype 6 pointsize 0.7 linecolor rgb earth_colour, \
      data using (pick("sliding",2)):3 smooth unique with lines linewidth 1.4 linecolor rgb earth_colour
 set xlabel "α (full chord), µ = 0.6"
 set xrange [-0.1:2.1]
+set xtics 0.5
 plot data using (pick("rolling",2)):3 with points pointtype 6 pointsize 0.7 linecolor rgb earth_colour, \
      data using (pick("rolling",2)):3 smooth unique with lines linewidth 1.4 linecolor rgb earth_colour
 set logscale x
