@@ -129,7 +129,8 @@ TEST_F(BadInput, WrongTypesAreNamedWithTheRightOne) {
             {"base = 3", "c:1:8: base is no path"},
             {"control.scheme = 1", "c:1:18: control.scheme is a whole number (it must be a word in quotes)"},
             {"control.scheme = 'explizit'",
-             "c:1:18: control.scheme = \"explizit\" is not known (it may be semi-implicit | explicit). Did you mean "
+             "c:1:18: control.scheme = \"explizit\" is not known (it may be semi-implicit | explicit | prescribed). "
+             "Did you mean "
              "\"explicit\"?"},
             {"integrator = 'leapfrog'",
              "c:1:14: integrator = \"leapfrog\" is not known (it may be symplectic-euler | modified-euler-one | "

@@ -574,7 +574,7 @@ TEST(CaseOverride, FaultsNameTheSetting) {
     expect({"wheel.load_N", ""}, "the value is not TOML");
     expect({"bed.seed", "2.0"}, "bed.seed is a number with a fraction (it must be a whole number)");
     expect({"control.scheme", "implicit"},
-           "control.scheme = \"implicit\" is not known (it may be semi-implicit | explicit)");
+           "control.scheme = \"implicit\" is not known (it may be semi-implicit | explicit | prescribed)");
     expect({"wheel", "3"}, "wheel is a table");
     expect({"base", "x.toml"}, "base belongs into the file");
     expect({"", "3"}, "unknown key");
