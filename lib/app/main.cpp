@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "app/confined.hpp"
 #include "app/metrics_table.hpp"
 #include "app/picture.hpp"
 #include "app/run_case.hpp"
@@ -13,6 +14,7 @@
 #include "app/soil.hpp"
 #include "app/stiffness.hpp"
 #include "app/stress.hpp"
+#include "app/surface.hpp"
 #include "app/sweep.hpp"
 #include "app/watch.hpp"
 #include "check/check.hpp"
@@ -217,6 +219,17 @@ int run_program(int argc, char** argv) {
     plates->add_option("runs", soil.run_directories, "runs of plates under several loads")->required();
     plates->add_option("-o,--output", soil.directory, "directory for what comes out")->required();
     plates->callback([&] { write_soil(soil); });
+    ConfinedRequest confined;
+    auto* confine = app.add_subcommand("confined", "confined compression of a block of discs and of an element");
+    confine->add_option("case", confined.case_path, "case file with soil elements")->required();
+    confine->add_option("-o,--output", confined.directory, "directory for confined.csv and measurements.csv")
+        ->required();
+    confine->callback([&] { write_confined(confined); });
+    SurfaceRequest surface;
+    auto* profile = app.add_subcommand("surface", "the soil's surface at the end of a run");
+    profile->add_option("run", surface.run, "run directory")->required();
+    profile->add_option("-o,--output", surface.output, "CSV file")->required();
+    profile->callback([&] { write_surface(surface); });
     auto* follow = app.add_subcommand("watch", "overall progress of a set of runs");
     follow->add_option("runs", watch.directories, "run directories")->required();
     follow->callback([&] { watch_runs(watch); });

@@ -21,6 +21,7 @@
 #include "record/checkpoint.hpp"
 #include "record/directory_lock.hpp"
 #include "record/results.hpp"
+#include "record/soil_files.hpp"
 #include "step/energy.hpp"
 #include "step/fields.hpp"
 #include "step/health.hpp"
@@ -167,7 +168,15 @@ bool run_stage(LiveRun& run, Stage stage) {
                                      ? steps_in(run.c.record.energy_interval_s, dt)
                                      : 0;  // the account needs velocities at half steps
     const bool recorded = stage == Stage::travel && run.recorder != nullptr;
-    if (recorded && state.progress.step == 0) run.recorder->add_frame(take_frame(scene, state, work));
+    const auto add_frame = [&] {
+        run.recorder->add_frame(take_frame(scene, state, work));
+        if (scene.has_soil_elements())
+            add_soil_frame(run.request.directory, state.soil, static_cast<double>(state.progress.step) * dt,
+                           scene.soil.columns);
+    };
+    if (recorded && scene.has_soil_elements() && state.progress.step > 0)
+        drop_soil_frames_after(run.request.directory, static_cast<double>(state.progress.step) * dt);
+    if (recorded && state.progress.step == 0) add_frame();
     const std::uint64_t offset = state.progress.step;
     const std::uint64_t already = run.steps_made;
     while (state.progress.step < last) {
@@ -190,7 +199,7 @@ bool run_stage(LiveRun& run, Stage stage) {
         }
         if (recorded && (is_due(at, series) || at == last))
             run.recorder->add_series(take_series_row(scene, state, work));
-        if (recorded && (is_due(at, frame) || at == last)) run.recorder->add_frame(take_frame(scene, state, work));
+        if (recorded && (is_due(at, frame) || at == last)) add_frame();
         if (is_due(at, checkpoint) && at != last) write_run_checkpoint(run);
         if (signal_seen != 0 || state.progress.total_steps == run.request.stop_at_step) {
             write_run_checkpoint(run);
@@ -267,6 +276,8 @@ int finish(LiveRun& run, double cpu_s, double wall_s) {
                 values.push_back({std::string(stage_name(s)) + "_" + v.name, v.value, v.unit});
         write_file_atomically(run.request.directory + "/run.csv", to_csv(values));
         write_contact_stress(run.request.directory, run.c, run.state.stress);
+        if (has_soil_elements(run.state))
+            write_file_atomically(run.request.directory + "/conversions.csv", conversions_csv(run.state.soil));
         draw_pictures(run.request.directory, run.request.directory, -1);
         std::error_code ignored;
         fs::remove(checkpoint_path(run), ignored);  // the run is whole: nothing is left to go on from

@@ -110,21 +110,33 @@ void attach_soil_workspace(const SoilModel& model, const SoilState& soil, SoilWo
     work.elements.mass_kg = std::move(mass);
     work.elements.damping_kg_s = std::move(damping);
     work.edge = find_skyline(model, soil);
-    work.search = true;
+    work.search = work.attached.search = true;
 }
+
+namespace {
+
+/// Both are sorted by position; the wheel's forces come first on a disc that has several.
+void merge_forces(const std::vector<WheelForce>& more, std::vector<WheelForce>& merged, std::vector<WheelForce>& all) {
+    merged.clear();
+    std::merge(all.begin(), all.end(), more.begin(), more.end(), std::back_inserter(merged),
+               [](const WheelForce& a, const WheelForce& b) { return a.position < b.position; });
+    all.swap(merged);
+}
+
+}  // namespace
 
 void add_soil_contacts(const DemConstants& k, const SoilModel& model, State& state, DemWorkspace& dem,
                        SoilWorkspace& work, double spring_step_s) {
     work.on_discs.clear();
     // The skyline is long and hardly moves: searched with each outer list, a few times less often than the wheel.
+    const DiscsNearby nearby{state.discs, state.pairs.reference, dem.rebuilds, dem.position_of_id, k.largest_radius_m};
     add_surface_contacts(model.contact, k.damping_ratio, {work.edge, state.soil.position_m, state.soil.velocity_m_s},
-                         {state.discs, state.pairs.reference, dem.rebuilds, dem.position_of_id, k.largest_radius_m},
-                         spring_step_s, state.soil.contacts, work, work.on_discs);
-    work.merged.clear();
-    std::merge(dem.wheel_force.begin(), dem.wheel_force.end(), work.on_discs.begin(), work.on_discs.end(),
-               std::back_inserter(work.merged),
-               [](const WheelForce& a, const WheelForce& b) { return a.position < b.position; });
-    dem.wheel_force.swap(work.merged);
+                         nearby, spring_step_s, state.soil.contacts, work, work.on_discs);
+    merge_forces(work.on_discs, work.merged, dem.wheel_force);
+    if (state.soil.attached.empty()) return;
+    add_attached_contacts(k.soil, k.damping_ratio, state.soil, nearby, spring_step_s, state.soil.attached_contacts,
+                          work.attached, work.contact_force_N);
+    merge_forces(work.attached.on_discs, work.merged, dem.wheel_force);
 }
 
 void add_soil_forces(const SoilModel& model, const SoilState& soil, SoilWorkspace& work) {

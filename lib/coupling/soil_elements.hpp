@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "coupling/attached_discs.hpp"
 #include "coupling/surface_contact.hpp"
 #include "fem/elements.hpp"
 #include "model/case.hpp"
@@ -47,6 +48,7 @@ struct SoilWorkspace : SurfaceWorkspace {
     ElementSet elements;               ///< of the blocks that are elements, in order of their numbers
     std::vector<std::uint32_t> block;  ///< the number of each
     std::vector<SoilNode> node;        ///< those with an element, ascending
+    AttachedWorkspace attached;
     Surface edge;                      ///< skyline of the elements from the right wall to the left one
     std::vector<Vec2> force_N;         ///< per node of the grid: everything
     std::vector<WheelForce> on_discs;  ///< scratch: this step's, then merged into those of the wheel
@@ -55,8 +57,8 @@ struct SoilWorkspace : SurfaceWorkspace {
 
 void attach_soil_workspace(const SoilModel& model, const SoilState& soil, SoilWorkspace& work);
 
-/// Contact forces between discs and soil elements: for the discs joined to dem.wheel_force, for the elements' nodes in
-/// work.contact_force_N. See add_surface_contacts().
+/// Contact forces between discs and soil elements, attached discs included: for the discs joined to dem.wheel_force,
+/// for the elements' nodes in work.contact_force_N. See add_surface_contacts().
 void add_soil_contacts(const DemConstants& k, const SoilModel& model, State& state, DemWorkspace& dem,
                        SoilWorkspace& work, double spring_step_s);
 

@@ -156,6 +156,7 @@ void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work)
     sort_by_position(state.wall_contacts, work);
     sort_by_position(state.wheel_contacts, work);
     sort_by_position(state.soil.contacts, work);
+    sort_by_position(state.soil.attached_contacts, work);
     // Until the inner list is chosen, it is the whole outer list with the springs carried over.
     auto& p = state.pairs;
     p.inner.resize(p.i.size());

@@ -123,6 +123,11 @@ struct ElementsCase {
     double block_height_m = 0.2;
     std::int64_t first_disc_column = 0;
     std::int64_t disc_columns = 0;
+    std::int64_t conversion_interval_steps = 0;  ///< 0 = blocks stay what they are
+    std::int64_t margin_columns = 0;
+    std::int64_t pattern_discs = 1451;  ///< Table 5-5: 7255 = 5 × 1451
+    double pattern_s = 0.5;
+    double pattern_mass_factor = 0.01;
     MaterialCase material{1.7e6, 0.3, 2200, 10};
 };
 

@@ -107,6 +107,13 @@ constexpr std::array keys{
     IFEDEM_KEY(elements.first_disc_column, "-", whole(0, 1e4), "first block of the top row that is discs"),
     IFEDEM_KEY(elements.disc_columns, "-", whole(0, 1e4),
                "how many blocks of the top row are discs at the start; 0 = the bed lies on the elements"),
+    IFEDEM_KEY(elements.conversion_interval_steps, "-", whole(0, 1e9),
+               "steps of travel between looks for blocks to convert; 0 = never"),
+    IFEDEM_KEY(elements.margin_columns, "-", whole(0, 1e4),
+               "blocks of discs in front of and behind the tyre's own; 0 = the text's small region"),
+    IFEDEM_KEY(elements.pattern_discs, "-", whole(1, 1e7), "discs of a block"),
+    IFEDEM_KEY(elements.pattern_s, "s", from_zero(1e3), "time for a block's discs to settle, and again under the lid"),
+    IFEDEM_KEY(elements.pattern_mass_factor, "-", above_zero(1), "share of their mass that settles them"),
     IFEDEM_MATERIAL(elements.material, "the soil's elements (plane strain)"),
 
     IFEDEM_KEY(wheel.shape, "", any,

@@ -36,6 +36,10 @@ template <>
 constexpr std::size_t size_of_members<SegmentSum> = 8 * sizeof(double);
 template <>
 constexpr std::size_t size_of_members<StressBlock> = 7 * sizeof(double);
+template <>
+constexpr std::size_t size_of_members<AttachedDisc> = 4 * sizeof(double);
+template <>
+constexpr std::size_t size_of_members<ConversionRecord> = (6 + 2 * 9) * sizeof(double);
 
 void add_bytes(Hasher& hasher, const void* data, std::size_t size) {
     const auto* bytes = static_cast<const unsigned char*>(data);

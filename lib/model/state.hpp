@@ -146,6 +146,32 @@ struct ElementShape {
     std::array<Vec2, 4> corner_m;
 };
 
+/// A disc that an element carries on a segment or a node of its border (section 5.1.4): no mass, no weight.
+struct AttachedDisc {
+    double share = 0;                       ///< N_j of Eqs 5.4–5.6: where on its segment; 0 or 1 on a node
+    double offset_x_m = 0, offset_y_m = 0;  ///< of its centre from there
+    double radius_m = 0;
+};
+
+/// What discs and elements hold together, before or after a conversion.
+struct SoilStock {
+    double discs = 0;  ///< how many
+    double disc_mass_kg = 0, element_mass_kg = 0;
+    double momentum_x_Ns = 0, momentum_y_Ns = 0;
+    double kinetic_J = 0, elastic_J = 0, height_J = 0;
+    double surface_m = 0;  ///< of the block that changes
+};
+
+/// A conversion that was made or refused. Numbers only, so that it is stored as any other member.
+struct ConversionRecord {
+    double step = 0;  ///< of the travel
+    double block = 0;
+    double kind = 0;                            ///< 0: element to discs; 1: discs to element
+    double refused = 0;                         ///< 1: the block's shape allowed no element
+    double attached = 0, attached_mass_kg = 0;  ///< discs that became attached, and the mass that they lost
+    SoilStock before, after;
+};
+
 /// The soil's grid of blocks: node (i, j) has number j (columns + 1) + i, block (i, j) number j columns + i. Nodes
 /// without an element rest at their last place.
 struct SoilState {
@@ -153,6 +179,12 @@ struct SoilState {
     std::vector<ElementShape> shape;  ///< per block; of no meaning for discs
     std::vector<Vec2> position_m, velocity_m_s;
     std::vector<BoundaryContact> contacts;  ///< with the elements' segments; sorted by list position, segment
+    std::vector<AttachedDisc> attached;
+    std::vector<std::uint32_t> attached_from, attached_to;  ///< nodes of each one's segment
+    std::vector<std::uint32_t> attached_block;
+    std::vector<BoundaryContact> attached_contacts;  ///< free discs with attached ones; sorted by list position, number
+    std::vector<Disc> pattern;                  ///< the discs of one block, relative to its lower left corner; constant
+    std::vector<ConversionRecord> conversions;  ///< of this stage
 };
 
 struct State {
@@ -209,6 +241,13 @@ void for_each_soil_member(S& s, F&& f) {
     f("soil_position_m", s.soil.position_m);
     f("soil_velocity_m_s", s.soil.velocity_m_s);
     f("soil_contacts", s.soil.contacts);
+    f("soil_attached", s.soil.attached);
+    f("soil_attached_from", s.soil.attached_from);
+    f("soil_attached_to", s.soil.attached_to);
+    f("soil_attached_block", s.soil.attached_block);
+    f("soil_attached_contacts", s.soil.attached_contacts);
+    f("soil_pattern", s.soil.pattern);
+    f("soil_conversions", s.soil.conversions);
 }
 
 /// True if forces of contacts with the wheel are being averaged, or have been.

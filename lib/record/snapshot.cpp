@@ -80,6 +80,21 @@ std::string part_data(const Frame& frame, const Mesh& wheel, std::size_t part) {
     return data + "EOD\n";
 }
 
+/// Soil elements as outlines, attached discs in one grey.
+std::string soil_data(const SoilOutline& soil) {
+    std::string data = "$soil << EOD\n";
+    for (const auto& element : soil.element_m) {
+        for (const std::size_t corner : {0U, 1U, 2U, 3U, 0U})
+            fmt::format_to(std::back_inserter(data), "{:.6f} {:.6f}\n", element[corner].x, element[corner].y);
+        data += "\n";
+    }
+    data += "EOD\n$attached << EOD\n";
+    for (const auto& disc : soil.attached)
+        fmt::format_to(std::back_inserter(data), "{:.6f} {:.6f} {:.6f}\n", disc.centre_m.x, disc.centre_m.y,
+                       disc.radius_m);
+    return data + "EOD\n";
+}
+
 std::vector<std::size_t> parts_present(const Frame& frame, const Mesh& wheel) {
     std::vector<std::size_t> present;
     for (std::size_t part = 0; part < part_fill.size(); ++part) {
@@ -141,7 +156,13 @@ std::string draw_frame(const Frame& frame, const Mesh& wheel, const SnapshotOpti
 
     std::string script = axes(title, speed ? "speed [m/s]" : "pressure [kPa]", colour_max, o) + palette;
     script += disc_data(frame, values, scale, o);
-    std::string plot = "plot $discs using 1:2:3:4 with circles lc palette";
+    std::string plot = "plot ";
+    if (!o.soil.element_m.empty()) {
+        script += soil_data(o.soil);
+        plot += "$soil with filledcurves closed fc rgb '#e9e2d0', $soil with lines lw 0.8 lc rgb '#8a7f66', ";
+        if (!o.soil.attached.empty()) plot += "$attached using 1:2:3 with circles lc rgb '#8a7f66', ";
+    }
+    plot += "$discs using 1:2:3:4 with circles lc palette";
     for (const std::size_t part : parts_present(frame, wheel)) {
         script += part_data(frame, wheel, part);
         plot +=

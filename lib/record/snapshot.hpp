@@ -4,6 +4,7 @@
 
 #include "fem/mesh.hpp"
 #include "record/frame.hpp"
+#include "record/soil_files.hpp"
 
 namespace ifedem {
 
@@ -16,6 +17,7 @@ struct SnapshotOptions {
     DiscColour colour = DiscColour::speed;
     double colour_max = 0;  ///< m/s or Pa; 0: such that 2 % of the discs in the picture lie above
     int width_px = 1600;
+    SoilOutline soil;   ///< drawn under the discs
     std::string title;  ///< empty: stage and time
 };
 

@@ -4,6 +4,7 @@
 
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
+#include "step/convert.hpp"
 #include "step/step.hpp"
 
 namespace ifedem {
@@ -133,11 +134,13 @@ void add_soil_losses(const Scene& scene, const std::vector<Disc>& before, const 
     const auto mean_velocity = [&](std::uint32_t n) {
         return 0.5 * (soil_before.velocity_m_s[n] + after.soil.velocity_m_s[n]);
     };
-    for (const SurfaceContact& c : work.contact) {
+    const auto add_contact = [&](const ContactConstants& k, const SurfaceContact& c) {
         const Vec2 surface = (1.0 - c.share) * mean_velocity(c.from) + c.share * mean_velocity(c.to);
-        add_boundary_losses(scene.soil.contact, midway(before[c.position], after.discs.disc[c.position]),
-                            Vec2{0, 0} - c.outward, c.on_disc, surface, c.old_spring_m, scene.dem.step_s, flow);
-    }
+        add_boundary_losses(k, midway(before[c.position], after.discs.disc[c.position]), Vec2{0, 0} - c.outward,
+                            c.on_disc, surface, c.old_spring_m, scene.dem.step_s, flow);
+    };
+    for (const SurfaceContact& c : work.contact) add_contact(scene.soil.contact, c);
+    for (const SurfaceContact& c : work.attached.contact) add_contact(scene.dem.soil, c);
     for (const SoilNode& n : work.node)
         flow.lost_wheel_W += n.damping_kg_s * dot(mean_velocity(n.number), mean_velocity(n.number));
 }
@@ -149,6 +152,8 @@ double stored_in_contact(const ContactConstants& k, double overlap_m, double spr
 void add_soil_energy(const Scene& scene, const State& state, const SoilWorkspace& work, EnergyStore& e) {
     for (const SurfaceContact& c : work.contact)
         e.springs_J += stored_in_contact(scene.soil.contact, c.on_disc.overlap_m, c.on_disc.tangential_spring_m);
+    for (const SurfaceContact& c : work.attached.contact)
+        e.springs_J += stored_in_contact(scene.dem.soil, c.on_disc.overlap_m, c.on_disc.tangential_spring_m);
     for (const SoilNode& n : work.node) {
         const Vec2 v = state.soil.velocity_m_s[n.number];
         e.kinetic_soil_J += 0.5 * n.mass_kg * dot(v, v);
@@ -200,7 +205,9 @@ EnergyStore measure_energy(const Scene& scene, const State& state, const Workspa
 }
 
 EnergyFlow step_and_measure(const Scene& scene, State& state, Workspace& work) {
-    update_lists(scene.dem, state, work.dem);  // step() would do it first: list positions now hold for the whole step
+    // step() would do these first: list positions now hold for the whole step.
+    convert_at_boundary(scene, state, work);
+    update_lists(scene.dem, state, work.dem);
     const std::vector<Disc> discs = state.discs.disc;
     const std::vector<double> pair_springs = state.pairs.tangential_m, wall_springs = springs_of(state.wall_contacts);
     const WheelState wheel = state.wheel;

@@ -3,8 +3,66 @@
 #include <cmath>
 
 #include "core/bitmath.hpp"
+#include "dem/forces.hpp"
 
 namespace ifedem {
+
+namespace {
+
+/// Adds r F of a contact whose spring pushes a disc away along −normal, and drags it along the tangent.
+void add_moment(DiscStress& s, Vec2 arm, Vec2 force) {
+    s.x_Pa += arm.x * force.x, s.y_Pa += arm.y * force.y;
+    s.xy_Pa += 0.5 * (arm.x * force.y + arm.y * force.x);
+}
+
+/// On the disc that `normal` points away from; overlap > 0.
+Vec2 spring_force(const ContactConstants& k, Vec2 normal, double overlap_m, double spring_m) {
+    return Vec2{} - (k.normal_stiffness_N_m * overlap_m * normal +
+                     k.tangential_stiffness_N_m * spring_m * Vec2{-normal.y, normal.x});
+}
+
+void add_surface_moments(const ContactConstants& k, const std::vector<SurfaceContact>& contacts,
+                         const std::vector<Disc>& disc, std::vector<DiscStress>& sum) {
+    for (const SurfaceContact& c : contacts) {
+        if (c.position >= disc.size() || c.on_disc.overlap_m <= 0) continue;
+        const Vec2 normal = Vec2{} - c.outward;
+        add_moment(sum[c.position], c.on_disc.arm_m * normal,
+                   spring_force(k, normal, c.on_disc.overlap_m, c.on_disc.tangential_spring_m));
+    }
+}
+
+}  // namespace
+
+std::vector<DiscStress> measure_stress(const Scene& scene, const State& state, const Workspace& work) {
+    const auto& disc = state.discs.disc;
+    std::vector<DiscStress> sum(disc.size());
+    for (std::size_t n = 0; n < work.dem.i.size(); ++n) {
+        const std::uint32_t i = work.dem.i[n], j = work.dem.j[n];
+        const Vec2 between{disc[j].x_m - disc[i].x_m, disc[j].y_m - disc[i].y_m};
+        const double distance = norm(between), overlap = disc[i].radius_m + disc[j].radius_m - distance;
+        if (overlap <= 0) continue;
+        const Vec2 normal = (1.0 / distance) * between;
+        const Vec2 force = spring_force(scene.dem.soil, normal, overlap, state.pairs.tangential_m[n]);
+        add_moment(sum[i], (disc[i].radius_m - 0.5 * overlap) * normal, force);
+        add_moment(sum[j], (0.5 * overlap - disc[j].radius_m) * normal, Vec2{} - force);
+    }
+    for (std::size_t n = 0; n < work.dem.wall.size(); ++n) {
+        const Disc& d = disc[work.dem.wall[n].position];
+        const WallSide side = find_wall_side(scene.dem, work.dem.wall[n].wall, d);
+        const double overlap = d.radius_m + side.opposite_radius_m - side.distance_m;
+        if (overlap <= 0) continue;
+        add_moment(sum[work.dem.wall[n].position], (d.radius_m - overlap) * side.normal,
+                   spring_force(scene.dem.wall, side.normal, overlap, state.wall_contacts[n].tangential_m));
+    }
+    add_surface_moments(scene.dem.wheel, work.wheel.contact, disc, sum);
+    add_surface_moments(scene.soil.contact, work.soil.contact, disc, sum);
+    add_surface_moments(scene.dem.soil, work.soil.attached.contact, disc, sum);
+    for (std::size_t p = 0; p < disc.size(); ++p) {
+        const double scale = 1.0 / (pi * disc[p].radius_m * disc[p].radius_m * scene.c.soil.thickness_m);
+        sum[p] = {scale * sum[p].x_Pa, scale * sum[p].y_Pa, scale * sum[p].xy_Pa};
+    }
+    return sum;
+}
 
 DiscFields measure_fields(const Scene& scene, const State& state, const Workspace& work) {
     const auto& disc = state.discs.disc;

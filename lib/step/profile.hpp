@@ -4,10 +4,10 @@
 
 namespace ifedem {
 
-enum class Phase { lists, wheel_contact, wheel_force, wheel_motion, soil_elements, discs, watch, count };
-inline constexpr std::array<const char*, 7> phase_name = {"neighbour lists",   "wheel contact", "wheel elements",
-                                                          "wheel and control", "soil elements", "discs and walls",
-                                                          "movement watch"};
+enum class Phase { lists, wheel_contact, wheel_force, wheel_motion, soil_elements, conversion, discs, watch, count };
+inline constexpr std::array<const char*, 8> phase_name = {"neighbour lists",   "wheel contact", "wheel elements",
+                                                          "wheel and control", "soil elements", "conversion",
+                                                          "discs and walls",   "movement watch"};
 
 /// Seconds spent in each phase of the step; off unless asked for.
 struct Profile {

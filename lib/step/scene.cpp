@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "coupling/conversion.hpp"
 #include "dem/bed.hpp"
 #include "dem/neighbour_lists.hpp"
+#include "step/soil_pattern.hpp"
 
 namespace ifedem {
 namespace {
@@ -31,6 +33,26 @@ Vec2 find_first_touch(const Scene& scene, const State& state) {
         hub.y -= gap - 0.5 * hair_m;
     }
     return hub;
+}
+
+/// Elements and discs of a case with soil elements: patterns in the blocks of discs, or a bed on top of the elements.
+void fill_soil(const Case& c, State& state) {
+    const SoilModel model = make_scene(c, Stage::consolidation).soil;
+    state.soil = place_soil(model);
+    if (c.elements.disc_columns == 0) {
+        for (Disc& d : state.discs.disc) d.y_m += static_cast<double>(c.elements.rows) * c.elements.block_height_m;
+        return;
+    }
+    state.soil.pattern = prepare_pattern(c);
+    state.discs = {};
+    for (std::uint32_t b = 0; b < state.soil.kind.size(); ++b) {
+        if (state.soil.kind[b] != BlockKind::discs) continue;
+        for (const Disc& d : plan_to_discs(model, state.soil, b).add) {
+            state.discs.id.push_back(static_cast<std::uint32_t>(state.discs.disc.size()));
+            state.discs.disc.push_back(d);
+        }
+    }
+    if (c.integrator != Integrator::symplectic_euler) state.discs.acceleration.resize(state.discs.disc.size());
 }
 
 }  // namespace
@@ -72,10 +94,7 @@ std::uint64_t steps_of_stage(const Case& c, Stage stage) {
 State make_initial_state(const Case& c) {
     State state;
     state.discs = generate_bed(c);
-    if (c.elements.columns > 0) {
-        state.soil = place_soil(make_scene(c, Stage::consolidation).soil);
-        for (Disc& d : state.discs.disc) d.y_m += static_cast<double>(c.elements.rows) * c.elements.block_height_m;
-    }
+    if (c.elements.columns > 0) fill_soil(c, state);
     return state;
 }
 
@@ -85,6 +104,7 @@ void begin_stage(const Scene& scene, State& state) {
     state.energy = {};
     state.series = {};
     state.stress = {};
+    state.soil.conversions.clear();
     if (scene.stage == Stage::sinkage) {
         if (scene.c.bed.levelled_count > 0) level_surface(state, static_cast<std::size_t>(scene.c.bed.levelled_count));
         state.touch_position_m = find_first_touch(scene, state);

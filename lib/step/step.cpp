@@ -5,6 +5,7 @@
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "dem/skins.hpp"
+#include "step/convert.hpp"
 #include "step/integrate_discs.hpp"
 #include "step/integrate_soil.hpp"
 #include "step/integrate_wheel.hpp"
@@ -18,6 +19,8 @@ void step(const Scene& scene, State& state, Workspace& work) {
     const double spring_step_s = twice ? 0.0 : dt;
     Lap lap(work.profile);
 
+    convert_at_boundary(scene, state, work);
+    lap(Phase::conversion);
     update_lists(scene.dem, state, work.dem);
     lap(Phase::lists);
     if (scene.has_wheel()) {

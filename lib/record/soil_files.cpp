@@ -1,0 +1,105 @@
+#include "record/soil_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/error.hpp"
+#include "coupling/attached_discs.hpp"
+#include "record/results.hpp"
+
+namespace ifedem {
+
+std::string conversions_csv(const SoilState& soil) {
+    std::string text = "step,block,kind,refused,attached,attached_mass_kg";
+    for (const char* when : {"before", "after"})
+        text += fmt::format(
+            ",discs_{0},disc_mass_{0}_kg,element_mass_{0}_kg,momentum_x_{0}_Ns,momentum_y_{0}_Ns,kinetic_{0}_J,"
+            "elastic_{0}_J,height_{0}_J,surface_{0}_m",
+            when);
+    text += "\n";
+    for (const ConversionRecord& r : soil.conversions) {
+        text += fmt::format("{:.0f},{:.0f},{},{:.0f},{:.0f},{:.6g}", r.step, r.block,
+                            r.kind == 0 ? "to-discs" : "to-element", r.refused, r.attached, r.attached_mass_kg);
+        for (const SoilStock& s : {r.before, r.after})
+            text += fmt::format(",{:.0f},{:.10g},{:.10g},{:.6g},{:.6g},{:.6g},{:.6g},{:.10g},{:.6g}", s.discs,
+                                s.disc_mass_kg, s.element_mass_kg, s.momentum_x_Ns, s.momentum_y_Ns, s.kinetic_J,
+                                s.elastic_J, s.height_J, s.surface_m);
+        text += "\n";
+    }
+    return text;
+}
+
+namespace {
+
+constexpr const char* header = "time_s,what,block,x0_m,y0_m,x1_m,y1_m,x2_m,y2_m,x3_m,y3_m";
+
+std::string path_of(const std::string& directory) { return directory + "/soil.csv"; }
+
+std::string soil_lines(const SoilState& soil, double time_s, std::uint32_t columns) {
+    std::string text;
+    for (std::uint32_t b = 0; b < soil.kind.size(); ++b) {
+        if (soil.kind[b] != BlockKind::element) continue;
+        text += fmt::format("{:.6f},element,{}", time_s, b);
+        const std::uint32_t n = b / columns * (columns + 1) + b % columns;
+        for (const std::uint32_t node : {n, n + 1, n + columns + 2, n + columns + 1})
+            text += fmt::format(",{:.6f},{:.6f}", soil.position_m[node].x, soil.position_m[node].y);
+        text += "\n";
+    }
+    for (std::uint32_t n = 0; n < soil.attached.size(); ++n) {
+        const Vec2 at = attached_position_m(soil, n);
+        fmt::format_to(std::back_inserter(text), "{:.6f},attached,{},{:.6f},{:.6f},{:.6f},,,,,\n", time_s,
+                       soil.attached_block[n], at.x, at.y, soil.attached[n].radius_m);
+    }
+    return text;
+}
+
+bool is_at_most(const std::string& line, double time_s) { return std::strtod(line.c_str(), nullptr) <= time_s + 1e-9; }
+
+}  // namespace
+
+void add_soil_frame(const std::string& directory, const SoilState& soil, double time_s, std::uint32_t columns) {
+    const std::string path = path_of(directory);
+    std::error_code none;
+    const bool fresh = !std::filesystem::exists(path, none);
+    std::ofstream file(path, std::ios::app);
+    if (fresh) file << header << '\n';
+    file << soil_lines(soil, time_s, columns) << std::flush;
+    if (!file) fail_io("'" + path + "' could not be written (disk full?). Free some space and resume the run?");
+}
+
+void drop_soil_frames_after(const std::string& directory, double time_s) {
+    std::ifstream file(path_of(directory));
+    std::string line, kept;
+    for (bool first = true; std::getline(file, line); first = false)
+        if (first || is_at_most(line, time_s)) kept += line + "\n";
+    write_file_atomically(path_of(directory), kept);
+}
+
+SoilOutline read_soil_outline(const std::string& directory, double time_s) {
+    SoilOutline outline;
+    std::ifstream file(path_of(directory));
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        char* end = nullptr;
+        if (std::fabs(std::strtod(line.c_str(), &end) - time_s) > 1e-6) continue;
+        const bool element = line.find(",element,") != std::string::npos;
+        std::size_t comma = 0;  // behind time, word and block
+        for (int n = 0; n < 3; ++n) comma = line.find(',', comma) + 1;
+        std::array<double, 8> v{};
+        const char* at = line.c_str() + comma;
+        for (std::size_t n = 0; n < (element ? 8U : 3U); ++n) v[n] = std::strtod(at, &end), at = end + 1;
+        if (element)
+            outline.element_m.push_back({Vec2{v[0], v[1]}, Vec2{v[2], v[3]}, Vec2{v[4], v[5]}, Vec2{v[6], v[7]}});
+        else
+            outline.attached.push_back({{v[0], v[1]}, v[2]});
+    }
+    return outline;
+}
+
+}  // namespace ifedem

@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "model/state.hpp"
+
+namespace ifedem {
+
+/// All conversions so far: step, block, kind, whether refused, attached discs, and stock before and after.
+[[nodiscard]] std::string conversions_csv(const SoilState& soil);
+
+// soil.csv of a run directory stands beside the frames of results.h5: a line for every element ("element", block, four
+// corners) and every attached disc ("attached", block, centre, radius) at each frame's time.
+
+/// Appends the lines of one frame. Throws Error(io).
+void add_soil_frame(const std::string& directory, const SoilState& soil, double time_s, std::uint32_t columns);
+
+/// For a run that goes on from an earlier time. Throws Error(io).
+void drop_soil_frames_after(const std::string& directory, double time_s);
+
+/// Elements and attached discs as drawn.
+struct SoilOutline {
+    struct Circle {
+        Vec2 centre_m;
+        double radius_m = 0;
+    };
+    std::vector<std::array<Vec2, 4>> element_m;
+    std::vector<Circle> attached;
+};
+
+/// Those of the frame at `time_s`; empty if the run has no soil.csv.
+[[nodiscard]] SoilOutline read_soil_outline(const std::string& directory, double time_s);
+
+}  // namespace ifedem

@@ -1,0 +1,274 @@
+// Soil that changes between elements and discs (sections 5.1.2–5.1.5): where discs are placed, what an element takes
+// over, a block that goes back and forth, and the same bits across a conversion.
+#include "coupling/conversion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/hash.hpp"
+#include "record/checkpoint.hpp"
+#include "step/energy.hpp"
+#include "step/health.hpp"
+#include "step/soil_pattern.hpp"
+#include "support/scratch.hpp"
+#include "support/soil_scenes.hpp"
+
+namespace ifedem {
+namespace {
+
+using namespace scene;
+
+/// About what fills 0.06 × 0.05 m by its own weight; more would stand under pressure from the beginning.
+constexpr std::size_t discs_a_block = 138;
+
+/// Three columns of small blocks, the middle one of the top row discs.
+Case make_small_case() {
+    Case c = make_column_case(3, 2, 0.06, 0.05);
+    c.elements.first_disc_column = 1, c.elements.disc_columns = 1;
+    c.elements.pattern_discs = discs_a_block;
+    c.elements.pattern_s = 0.1;
+    c.contact.normal_stiffness_N_m = 5e5, c.contact.tangential_stiffness_N_m = 1.25e5;
+    c.contact.consolidation_friction_soil = c.contact.consolidation_friction_wall = 0.6;
+    c.soil.thickness_m = 0.17;
+    return c;
+}
+
+constexpr std::uint32_t middle = 4;  // block (1, 1) of 3 × 2
+
+double kinetic_J(const World& w) {
+    const EnergyStore e = measure_energy(w.scene, w.state, w.work);
+    return e.kinetic_discs_J + e.kinetic_soil_J;
+}
+
+// ---- Element → discs ------------------------------------------------------------------------------------------------
+
+TEST(ToDiscs, places_the_pattern_where_the_element_is) {
+    World w = begin(make_small_case());
+    const auto node = w.scene.soil.nodes_of(middle);
+    const auto rest = plan_to_discs(w.scene.soil, w.state.soil, middle);
+    ASSERT_EQ(rest.add.size(), discs_a_block);
+    double worst = 0;
+    for (std::size_t n = 0; n < rest.add.size(); ++n)
+        worst = std::fmax(worst, norm(centre_of(rest.add[n]) - centre_of(w.state.soil.pattern[n]) - Vec2{0.06, 0.05}));
+    EXPECT_LT(worst, 1e-15);
+
+    // An affine deformation carries every disc along exactly, whatever its triangle.
+    const auto map = [](Vec2 p) { return Vec2{0.01 + 0.97 * p.x + 0.05 * p.y, -0.02 + 0.02 * p.x + 0.93 * p.y}; };
+    SoilState deformed = w.state.soil;
+    for (const std::uint32_t n : node) deformed.position_m[n] = map(deformed.position_m[n]);
+    const auto affine = plan_to_discs(w.scene.soil, deformed, middle);
+    worst = 0;
+    for (std::size_t n = 0; n < rest.add.size(); ++n)
+        worst = std::fmax(worst, norm(centre_of(affine.add[n]) - map(centre_of(rest.add[n]))));
+    EXPECT_LT(worst, 1e-15);
+
+    // Any other one keeps them inside the quad.
+    deformed.position_m[node[2]] += Vec2{-0.012, -0.015};
+    for (const Disc& d : plan_to_discs(w.scene.soil, deformed, middle).add) {
+        for (std::size_t a = 0; a < 4; ++a) {
+            const Vec2 from = deformed.position_m[node[a]], to = deformed.position_m[node[(a + 1) % 4]];
+            EXPECT_GT(cross(to - from, centre_of(d) - from), 0);
+        }
+    }
+}
+
+TEST(ToDiscs, keeps_mass_and_momentum) {
+    World w = begin(make_small_case());
+    for (Vec2& v : w.state.soil.velocity_m_s) v = {0.3, -0.2};
+    const auto edit = plan_to_discs(w.scene.soil, w.state.soil, middle);
+    double mass = 0, prepared = 0;
+    Vec2 momentum;
+    for (const Disc& d : edit.add) mass += mass_of(d), momentum += mass_of(d) * velocity_of(d);
+    for (const Disc& d : w.state.soil.pattern) prepared += mass_of(d);
+    EXPECT_EQ(mass, prepared);
+    EXPECT_NEAR(momentum.x, 0.3 * mass, 1e-12);
+    EXPECT_NEAR(momentum.y, -0.2 * mass, 1e-12);
+}
+
+// ---- Discs → element ------------------------------------------------------------------------------------------------
+
+TEST(ToElement, attaches_the_border_and_removes_the_rest) {
+    World w = begin(make_small_case());
+    advance(w, 5000);
+    const std::uint64_t before = hash_state(w.state);
+    const auto edit = plan_to_element(w.scene.soil, w.state, w.work.soil, 0.003, middle);
+    EXPECT_EQ(hash_state(w.state), before);  // a plan changes nothing
+    EXPECT_TRUE(edit.refusal.empty()) << edit.refusal;
+    EXPECT_EQ(edit.remove.size(), discs_a_block);
+    // Only the top is open here: 3 R = 9 mm of 50.
+    std::printf("attached %zu of %zu discs\n", edit.attach.size(), edit.remove.size());
+    EXPECT_GT(edit.attach.size(), 15U);
+    EXPECT_LT(edit.attach.size(), 45U);
+    for (const Attachment& a : edit.attach) {
+        const Disc& d = w.state.discs.disc[a.position];
+        EXPECT_GT(d.y_m, 0.1 - 0.012);
+        const Vec2 foot =
+            (1 - a.disc.share) * w.state.soil.position_m[a.from] + a.disc.share * w.state.soil.position_m[a.to];
+        EXPECT_LT(norm(foot + Vec2{a.disc.offset_x_m, a.disc.offset_y_m} - centre_of(d)), 1e-15);
+    }
+    apply_conversion(edit, w.scene.soil, w.scene.dem, w.state, w.work.dem, w.work.soil);
+    EXPECT_TRUE(w.state.discs.disc.empty());
+    EXPECT_EQ(w.state.soil.attached.size(), edit.attach.size());
+}
+
+TEST(ToElement, is_refused_where_the_rut_is_too_deep) {
+    World w = begin(make_small_case());
+    // Nothing left of the right-hand neighbour, and its discs at the floor of the row: the corner would lie there.
+    w.state.soil.kind[middle + 1] = BlockKind::discs;
+    attach_soil_workspace(w.scene.soil, w.state.soil, w.work.soil);
+    std::erase_if(w.state.discs.disc, [](const Disc& d) { return d.x_m > 0.1 || d.y_m > 0.06; });
+    const auto edit = plan_to_element(w.scene.soil, w.state, w.work.soil, 0.003, middle);
+    EXPECT_FALSE(edit.refusal.empty());
+    EXPECT_TRUE(edit.remove.empty());
+    std::printf("refused: %s\n", edit.refusal.c_str());
+}
+
+/// Discs and elements side by side with a rough border: forces on free discs and on nodes add up to nothing.
+TEST(Attached, contacts_share_their_forces_out) {
+    Case c = make_small_case();
+    c.elements.first_disc_column = 1, c.elements.disc_columns = 2;
+    World w = begin(c);
+    advance(w, 4000);
+    const auto edit = plan_to_element(w.scene.soil, w.state, w.work.soil, 0.003, middle);
+    ASSERT_TRUE(edit.refusal.empty()) << edit.refusal;
+    apply_conversion(edit, w.scene.soil, w.scene.dem, w.state, w.work.dem, w.work.soil);
+    const std::size_t inherited = w.state.soil.attached_contacts.size();
+    w.work.dem.wheel_force.clear();
+    add_soil_contacts(w.scene.dem, w.scene.soil, w.state, w.work.dem, w.work.soil, 0);
+    Vec2 sum;
+    double size = 0, deepest = 0;
+    for (const WheelForce& f : w.work.dem.wheel_force) sum += {f.on_disc.x_N, f.on_disc.y_N};
+    for (const Vec2 f : w.work.soil.contact_force_N) sum += f, size += norm(f);
+    for (const SurfaceContact& k : w.work.soil.contact) deepest = std::fmax(deepest, k.on_disc.overlap_m);
+    std::printf(
+        "attached: %zu discs, %zu contacts (%zu springs inherited), unbalanced %.1e of %.1f N; deepest overlap with "
+        "a segment %.3f mm\n",
+        w.state.soil.attached.size(), w.work.soil.attached.contact.size(), inherited, norm(sum) / size, size,
+        1e3 * deepest);
+    EXPECT_GT(w.work.soil.attached.contact.size(), 5U);
+    EXPECT_GT(inherited, 0U);
+    EXPECT_LT(norm(sum) / size, 1e-13);
+    EXPECT_LT(deepest, 0.3e-3);  // the outer zone leaves no disc inside a new segment
+    advance(w, 5000);
+    EXPECT_FALSE(check_health(w.scene, w.state, w.work).has_value());
+    EXPECT_LT(kinetic_J(w), 1e-4);
+}
+
+// ---- Back and forth -------------------------------------------------------------------------------------------------
+
+// Section 5.1's conversions on a block at rest, with nothing to do: what they cost. The text gives no numbers; the
+// bounds say that the effect does not grow.
+TEST(BackAndForth, twenty_times_does_not_run_away) {
+    World w = begin(make_small_case());
+    advance(w, 10000);
+    const double start = block_surface_m(w.scene.soil, w.state, middle);
+    double burst = 0, last_burst = 0, first_burst = 0;
+    std::vector<double> surface;
+    for (int n = 0; n < 20; ++n) {
+        const auto element = plan_to_element(w.scene.soil, w.state, w.work.soil, 0.003, middle);
+        ASSERT_TRUE(element.refusal.empty()) << element.refusal;
+        apply_conversion(element, w.scene.soil, w.scene.dem, w.state, w.work.dem, w.work.soil);
+        advance(w, 2500);
+        const auto discs = plan_to_discs(w.scene.soil, w.state.soil, middle);
+        apply_conversion(discs, w.scene.soil, w.scene.dem, w.state, w.work.dem, w.work.soil);
+        last_burst = 0;
+        for (int k = 0; k < 50; ++k) advance(w, 50), last_burst = std::fmax(last_burst, kinetic_J(w));
+        burst = std::fmax(burst, last_burst);
+        if (n == 0) first_burst = last_burst;
+        surface.push_back(block_surface_m(w.scene.soil, w.state, middle) - start);
+        ASSERT_FALSE(check_health(w.scene, w.state, w.work).has_value());
+    }
+    const auto total = static_cast<double>(w.state.discs.disc.size());
+    const double weight = 0.06 * 0.05 * 0.17 * 2200 * 9.81;
+    std::printf(
+        "20 conversions there and back: surface after 1, 5, 10, 20: %+.3f %+.3f %+.3f %+.3f mm; largest kinetic "
+        "energy %.2e J (first %.2e, last %.2e), weight × 1 mm %.2e J\n",
+        1e3 * surface[0], 1e3 * surface[4], 1e3 * surface[9], 1e3 * surface[19], burst, first_burst, last_burst,
+        weight * 1e-3);
+    std::printf("discs at the end: %.0f of %zu a block\n", total, discs_a_block);
+    EXPECT_LT(std::fabs(surface[19] - surface[9]), 1e-3);
+    EXPECT_LT(last_burst, 3 * first_burst);
+}
+
+// ---- A wheel that drives over blocks --------------------------------------------------------------------------------
+
+Case make_drive() {
+    Case c;
+    c.elements.columns = 10, c.elements.rows = 2;
+    c.elements.block_length_m = 0.12, c.elements.block_height_m = 0.08;
+    c.elements.first_disc_column = 1, c.elements.disc_columns = 4;
+    c.elements.pattern_discs = 440, c.elements.pattern_s = 0.05;
+    c.elements.conversion_interval_steps = 500;
+    c.bed.length_m = 1.2;
+    c.wheel.load_N = 60;
+    c.travel.start_x_m = 0.36, c.travel.distance_m = 0.2, c.travel.speed_m_s = 0.4, c.travel.acceleration_time_s = 0.1;
+    c.stages.consolidation_s = 0.1, c.stages.sinkage_s = 0.1;
+    c.record.energy_interval_s = 0;
+    return c;
+}
+
+void enter(World& w, const Case& c, Stage stage) {
+    w.scene = make_scene(c, stage);
+    begin_stage(w.scene, w.state);
+    w.work = make_workspace(w.scene, w.state);
+}
+
+std::size_t count_made(const State& s, double kind) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        s.soil.conversions, [&](const ConversionRecord& r) { return r.kind == kind && r.refused == 0; }));
+}
+
+TEST(Drive, converts_in_front_and_behind_with_the_same_bits_after_a_resume) {
+    const Case c = make_drive();
+    World w = begin(c);
+    advance(w, static_cast<std::int64_t>(steps_of_stage(c, Stage::consolidation)));
+    enter(w, c, Stage::sinkage);
+    advance(w, static_cast<std::int64_t>(steps_of_stage(c, Stage::sinkage)));
+    enter(w, c, Stage::travel);
+    const State start = w.state;
+    const auto steps = static_cast<std::int64_t>(steps_of_stage(c, Stage::travel));
+    for (std::int64_t n = 0; n < steps; n += 50) {
+        advance(w, std::min<std::int64_t>(50, steps - n));
+        const auto fault = check_health(w.scene, w.state, w.work);
+        ASSERT_FALSE(fault.has_value()) << to_text(*fault);
+    }
+    const auto& made = w.state.soil.conversions;
+    for (const ConversionRecord& r : made)
+        std::printf(
+            "step %5.0f: block %2.0f %s%s, discs %.0f -> %.0f, attached %.0f, mass %+.4f kg, momentum %+.1e %+.1e Ns, "
+            "surface %+.2f mm\n",
+            r.step, r.block, r.kind == 0 ? "to discs  " : "to element", r.refused != 0 ? " refused" : "",
+            r.before.discs, r.after.discs, r.attached,
+            r.after.disc_mass_kg + r.after.element_mass_kg - r.before.disc_mass_kg - r.before.element_mass_kg,
+            r.after.momentum_x_Ns - r.before.momentum_x_Ns, r.after.momentum_y_Ns - r.before.momentum_y_Ns,
+            1e3 * (r.after.surface_m - r.before.surface_m));
+    EXPECT_GE(count_made(w.state, 0), 1U);
+    EXPECT_GE(count_made(w.state, 1), 1U);
+    ASSERT_FALSE(made.empty());
+
+    // Interrupted at the boundary at which the first conversion is due, and again in the middle between two looks.
+    for (const std::int64_t stop :
+         {static_cast<std::int64_t>(made[0].step), static_cast<std::int64_t>(made[0].step) + 730}) {
+        World part;
+        part.state = start;
+        part.scene = make_scene(c, Stage::travel);
+        part.work = make_workspace(part.scene, part.state);
+        omp_set_num_threads(2);
+        advance(part, stop);
+        const Scratch scratch;
+        write_checkpoint(scratch.file("checkpoint.h5"), part.state, c);
+        World rest;
+        rest.state = read_checkpoint(scratch.file("checkpoint.h5")).state;
+        rest.scene = make_scene(c, Stage::travel);
+        rest.work = make_workspace(rest.scene, rest.state);
+        advance(rest, steps - stop);
+        omp_set_num_threads(1);
+        EXPECT_EQ(to_hex(hash_state(rest.state)), to_hex(hash_state(w.state))) << "stopped at step " << stop;
+    }
+}
+
+}  // namespace
+}  // namespace ifedem
