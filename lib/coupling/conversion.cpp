@@ -6,6 +6,7 @@
 
 #include "dem/edit_discs.hpp"
 #include "fem/corotation.hpp"
+#include "fem/elasticity.hpp"
 
 namespace ifedem {
 namespace {
@@ -189,7 +190,118 @@ void renumber_contacts(const Surface& before, const Surface& after, std::vector<
     std::erase_if(contacts, [](const BoundaryContact& c) { return c.surface == SurfaceEdge::none; });
 }
 
+// ---- Stress handed over ---------------------------------------------------------------------------------------------
+
+/// Stress-free shape of an element that stands in `now` under the stress `s`: X = (I + ε)⁻¹ x about the middle.
+ElementShape relax(const Material& material, const std::array<Vec2, 4>& now, const std::array<double, 3>& s) {
+    const Elasticity d = find_elasticity(material, PlaneState::strain);
+    const double det = d.direct_Pa * d.direct_Pa - d.cross_Pa * d.cross_Pa;
+    const double ex = (d.direct_Pa * s[0] - d.cross_Pa * s[1]) / det,
+                 ey = (d.direct_Pa * s[1] - d.cross_Pa * s[0]) / det;
+    const double half_gamma = 0.5 * s[2] / d.shear_Pa;
+    const double scale = 1.0 / ((1 + ex) * (1 + ey) - half_gamma * half_gamma);
+    const Vec2 middle = 0.25 * ((now[0] + now[1]) + (now[2] + now[3]));
+    ElementShape shape;
+    for (std::size_t a = 0; a < 4; ++a) {
+        const Vec2 x = now[a] - middle;
+        shape.corner_m[a] = middle + scale * Vec2{(1 + ey) * x.x - half_gamma * x.y, (1 + ex) * x.y - half_gamma * x.x};
+    }
+    return shape;
+}
+
+std::array<double, 3> element_stress_Pa(const SoilModel& model, const SoilState& soil, std::uint32_t block) {
+    Mesh mesh;
+    mesh.node_m.assign(soil.shape[block].corner_m.begin(), soil.shape[block].corner_m.end());
+    mesh.quad = {{0, 1, 2, 3}};
+    mesh.part = {Part::rim};
+    const Material& m = model.material;
+    const ElementSet set = make_elements(mesh, {m, m, m, m}, model.thickness_m, PlaneState::strain);
+    return centroid_stress_Pa(set.element[0], m, PlaneState::strain, corners_of(model, soil, block));
+}
+
+/// Discs of the pattern, flattened by `squash` of their height, in the element's present shape.
+std::vector<Disc> place_pattern(const SoilModel& model, const SoilState& soil, const ConversionEdit& edit,
+                                double squash) {
+    std::vector<Disc> placed;
+    for (const Disc& p : soil.pattern) {
+        const AreaCoordinates c = find_area_coordinates(p.x_m / model.c.block_length_m - 0.5,
+                                                        (1 - squash) * p.y_m / model.c.block_height_m - 0.5);
+        const Vec2 x = c.interpolate(edit.position_m), v = c.interpolate(edit.velocity_m_s);
+        Disc d = p;
+        d.x_m = x.x, d.y_m = x.y, d.vx_m_s = v.x, d.vy_m_s = v.y;
+        placed.push_back(d);
+    }
+    return placed;
+}
+
+using Neighbours = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+Neighbours find_neighbours(const std::vector<Disc>& discs, double room_m) {
+    Neighbours pairs;
+    for (std::uint32_t i = 0; i < discs.size(); ++i)
+        for (std::uint32_t j = i + 1; j < discs.size(); ++j) {
+            const Vec2 between{discs[j].x_m - discs[i].x_m, discs[j].y_m - discs[i].y_m};
+            const double reach = discs[i].radius_m + discs[j].radius_m + room_m;
+            if (dot(between, between) < reach * reach) pairs.emplace_back(i, j);
+        }
+    return pairs;
+}
+
+/// Σ r_y F_y / V of the normal springs between discs just placed.
+double vertical_stress_Pa(const std::vector<Disc>& discs, const Neighbours& pairs, double stiffness_N_m,
+                          double volume_m3) {
+    double sum = 0;
+    for (const auto& [i, j] : pairs) {
+        const Vec2 between{discs[j].x_m - discs[i].x_m, discs[j].y_m - discs[i].y_m};
+        const double distance = norm(between);
+        const double overlap = discs[i].radius_m + discs[j].radius_m - distance;
+        if (overlap > 0) sum -= stiffness_N_m * overlap * between.y * between.y / distance;
+    }
+    return sum / volume_m3;
+}
+
+/// How far the pattern must be flattened for its mean σ_y to be `wanted`, by bisection within ±3 %.
+double find_squash(const SoilModel& model, const DemConstants& k, const SoilState& soil, const ConversionEdit& edit,
+                   double wanted_Pa) {
+    const auto& q = edit.position_m;
+    const double volume = 0.5 * cross(q[2] - q[0], q[3] - q[1]) * model.thickness_m;
+    const Neighbours pairs = find_neighbours(place_pattern(model, soil, edit, 0), 0.06 * k.largest_radius_m);
+    double low = -0.03, high = 0.03;
+    for (int n = 0; n < 40; ++n) {
+        const double middle = 0.5 * (low + high);
+        const double stress =
+            vertical_stress_Pa(place_pattern(model, soil, edit, middle), pairs, k.soil.normal_stiffness_N_m, volume);
+        (stress > wanted_Pa ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
 }  // namespace
+
+std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
+                                     const std::vector<std::uint32_t>& positions, double volume_m3) {
+    const auto& disc = state.discs.disc;
+    std::vector<char> among(disc.size(), 0);
+    for (const std::uint32_t p : positions) among[p] = 1;
+    std::array<double, 3> sum{};
+    const PairState& pairs = state.pairs;
+    for (std::size_t n = 0; n < pairs.inner.size(); ++n) {
+        const std::uint32_t i = pairs.i[pairs.inner[n]], j = pairs.j[pairs.inner[n]];
+        if (among[i] == 0 && among[j] == 0) continue;
+        const Vec2 between{disc[j].x_m - disc[i].x_m, disc[j].y_m - disc[i].y_m};
+        const double distance = norm(between), overlap = disc[i].radius_m + disc[j].radius_m - distance;
+        if (overlap <= 0) continue;
+        const Vec2 normal = (1.0 / distance) * between;
+        const double arm = (among[i] != 0 ? disc[i].radius_m - 0.5 * overlap : 0.0) +
+                           (among[j] != 0 ? disc[j].radius_m - 0.5 * overlap : 0.0);
+        const Vec2 r = arm * normal;
+        const Vec2 on_i =
+            Vec2{} - (k.soil.normal_stiffness_N_m * overlap * normal +
+                      k.soil.tangential_stiffness_N_m * pairs.tangential_m[n] * Vec2{-normal.y, normal.x});
+        sum[0] += r.x * on_i.x, sum[1] += r.y * on_i.y, sum[2] += 0.5 * (r.x * on_i.y + r.y * on_i.x);
+    }
+    return {sum[0] / volume_m3, sum[1] / volume_m3, sum[2] / volume_m3};
+}
 
 std::optional<DueConversion> find_due_conversion(const SoilModel& model, const SoilState& soil, const TyreEdges& tyre) {
     const std::uint32_t j = model.rows - 1;
@@ -207,7 +319,8 @@ std::optional<DueConversion> find_due_conversion(const SoilModel& model, const S
     return std::nullopt;
 }
 
-ConversionEdit plan_to_discs(const SoilModel& model, const SoilState& soil, std::uint32_t block) {
+ConversionEdit plan_to_discs(const SoilModel& model, const DemConstants& k, const SoilState& soil,
+                             std::uint32_t block) {
     ConversionEdit edit;
     edit.kind = ConversionKind::to_discs;
     edit.block = block;
@@ -216,19 +329,16 @@ ConversionEdit plan_to_discs(const SoilModel& model, const SoilState& soil, std:
         edit.position_m[a] = soil.position_m[node[a]];
         edit.velocity_m_s[a] = soil.velocity_m_s[node[a]];
     }
-    for (const Disc& p : soil.pattern) {
-        const AreaCoordinates c =
-            find_area_coordinates(p.x_m / model.c.block_length_m - 0.5, p.y_m / model.c.block_height_m - 0.5);
-        const Vec2 x = c.interpolate(edit.position_m), v = c.interpolate(edit.velocity_m_s);
-        Disc d = p;
-        d.x_m = x.x, d.y_m = x.y, d.vx_m_s = v.x, d.vy_m_s = v.y;
-        edit.add.push_back(d);
-    }
+    const bool hand_over = model.c.stress_handover == StressHandover::mean;
+    const double squash =
+        hand_over ? find_squash(model, k, soil, edit, min_of(0.0, element_stress_Pa(model, soil, block)[1])) : 0.0;
+    edit.add = place_pattern(model, soil, edit, squash);
     return edit;
 }
 
-ConversionEdit plan_to_element(const SoilModel& model, const State& state, const SoilWorkspace& work,
-                               double largest_radius_m, std::uint32_t block) {
+ConversionEdit plan_to_element(const SoilModel& model, const DemConstants& k, const State& state,
+                               const SoilWorkspace& work, std::uint32_t block) {
+    const double largest_radius_m = k.largest_radius_m;
     ConversionEdit edit;
     edit.kind = ConversionKind::to_element;
     edit.block = block;
@@ -252,6 +362,11 @@ ConversionEdit plan_to_element(const SoilModel& model, const State& state, const
     edit.shape.corner_m = edit.position_m;  // stress-free where it stands (section 5.1.3)
     choose_discs(state.discs, find_borders(model, state.soil, edit), largest_radius_m, edit);
     choose_velocities(model, state, work, is_new, edit);
+    if (model.c.stress_handover == StressHandover::mean) {
+        const auto& q = edit.position_m;
+        const double volume = 0.5 * cross(q[2] - q[0], q[3] - q[1]) * model.thickness_m;
+        edit.shape = relax(model.material, q, mean_stress_Pa(k, state, edit.remove, volume));
+    }
     return edit;
 }
 

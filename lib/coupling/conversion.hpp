@@ -54,15 +54,23 @@ struct ConversionEdit {
 };
 
 /// Element → discs (5.1.2, 5.1.5): the block's pattern of discs, carried along by the area coordinates of the four
-/// triangles between the element's corners and its centre (Eqs 5.1–5.3, Figs 5-2, 5-3).
-[[nodiscard]] ConversionEdit plan_to_discs(const SoilModel& model, const SoilState& soil, std::uint32_t block);
+/// triangles between the element's corners and its centre (Eqs 5.1–5.3, Figs 5-2, 5-3). With stress handed over, the
+/// pattern is first flattened or stretched upwards until the mean σ_y of its contacts (Eq 5.10) is the element's.
+[[nodiscard]] ConversionEdit plan_to_discs(const SoilModel& model, const DemConstants& k, const SoilState& soil,
+                                           std::uint32_t block);
 
 /// Discs → element (5.1.3, 5.1.4). Nodes that neighbouring elements have stay where they are; a new one stands over
 /// the node below it at the height of the discs' surface there: the mean of the middle two of four columns of width 2 R
 /// (a thrown disc or a gap moves it little). Discs up to 3 R inside and R outside a border towards free discs are
-/// attached, the rest of the block's are taken away. Refused where the four nodes do not make a sound quad.
-[[nodiscard]] ConversionEdit plan_to_element(const SoilModel& model, const State& state, const SoilWorkspace& work,
-                                             double largest_radius_m, std::uint32_t block);
+/// attached, the rest of the block's are taken away. Refused where the four nodes do not make a sound quad. With stress
+/// handed over, the new element's stress-free shape is such that it now has the mean stress of the discs' contacts.
+[[nodiscard]] ConversionEdit plan_to_element(const SoilModel& model, const DemConstants& k, const State& state,
+                                             const SoilWorkspace& work, std::uint32_t block);
+
+/// Mean stress (σ_x, σ_y, τ_xy; compression < 0) of discs over a volume, Eq 5.10 summed: Σ r F / V over the springs of
+/// their contacts with each other and, as far as a disc's own side, with discs that are not among them.
+[[nodiscard]] std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
+                                                   const std::vector<std::uint32_t>& positions, double volume_m3);
 
 /// Carries an edit out: discs, lists, elements, skyline; springs of contacts that go on are kept. Not for refusals.
 void apply_conversion(const ConversionEdit& edit, const SoilModel& model, const DemConstants& k, State& state,

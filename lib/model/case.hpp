@@ -22,6 +22,7 @@ enum class SlipRadius { tread, lug_tip };
 enum class SpeedOf { hub, tread };  ///< what travel.speed_m_s is: V, or r ω of the unloaded radius
 enum class ControlScheme { semi_implicit, explicit_, prescribed };  ///< two forms of the PID; or no loop at all
 enum class PlaneState { stress, strain };
+enum class StressHandover { none, mean };  ///< at a conversion: nothing (section 5.1.3), or the mean stress
 
 struct SoilCase {
     std::vector<double> radii_m = {0.002, 0.0025, 0.003};
@@ -128,6 +129,7 @@ struct ElementsCase {
     std::int64_t pattern_discs = 1451;  ///< Table 5-5: 7255 = 5 × 1451
     double pattern_s = 0.5;
     double pattern_mass_factor = 0.01;
+    StressHandover stress_handover = StressHandover::none;
     MaterialCase material{1.7e6, 0.3, 2200, 10};
 };
 

@@ -22,6 +22,7 @@ constexpr std::string_view slip_radius_words[] = {"tread", "lug-tip"};
 constexpr std::string_view speed_words[] = {"hub", "tread"};
 constexpr std::string_view control_words[] = {"semi-implicit", "explicit", "prescribed"};
 constexpr std::string_view plane_words[] = {"stress", "strain"};
+constexpr std::string_view handover_words[] = {"none", "mean"};
 
 constexpr Words words_of(Integrator) { return integrator_words; }
 constexpr Words words_of(ContactEnd) { return contact_end_words; }
@@ -35,6 +36,7 @@ constexpr Words words_of(SlipRadius) { return slip_radius_words; }
 constexpr Words words_of(SpeedOf) { return speed_words; }
 constexpr Words words_of(ControlScheme) { return control_words; }
 constexpr Words words_of(PlaneState) { return plane_words; }
+constexpr Words words_of(StressHandover) { return handover_words; }
 
 template <class T>
 Slot slot_of(T& member) {
@@ -114,6 +116,8 @@ constexpr std::array keys{
     IFEDEM_KEY(elements.pattern_discs, "-", whole(1, 1e7), "discs of a block"),
     IFEDEM_KEY(elements.pattern_s, "s", from_zero(1e3), "time for a block's discs to settle, and again under the lid"),
     IFEDEM_KEY(elements.pattern_mass_factor, "-", above_zero(1), "share of their mass that settles them"),
+    IFEDEM_KEY(elements.stress_handover, "", any,
+               "what a conversion hands over: nothing as in the text, or the mean stress of what it replaces"),
     IFEDEM_MATERIAL(elements.material, "the soil's elements (plane strain)"),
 
     IFEDEM_KEY(wheel.shape, "", any,

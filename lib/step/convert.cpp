@@ -59,10 +59,9 @@ bool was_refused_before(const SoilState& soil, std::uint32_t block) {
 bool convert_once(const Scene& scene, State& state, Workspace& work) {
     const auto due = find_due_conversion(scene.soil, state.soil, find_tyre_edges(scene.wheel, state.wheel));
     if (!due) return false;
-    const ConversionEdit edit =
-        due->kind == ConversionKind::to_discs
-            ? plan_to_discs(scene.soil, state.soil, due->block)
-            : plan_to_element(scene.soil, state, work.soil, scene.dem.largest_radius_m, due->block);
+    const ConversionEdit edit = due->kind == ConversionKind::to_discs
+                                    ? plan_to_discs(scene.soil, scene.dem, state.soil, due->block)
+                                    : plan_to_element(scene.soil, scene.dem, state, work.soil, due->block);
     ConversionRecord record;
     record.step = static_cast<double>(state.progress.step);
     record.block = due->block;

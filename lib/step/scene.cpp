@@ -37,7 +37,8 @@ Vec2 find_first_touch(const Scene& scene, const State& state) {
 
 /// Elements and discs of a case with soil elements: patterns in the blocks of discs, or a bed on top of the elements.
 void fill_soil(const Case& c, State& state) {
-    const SoilModel model = make_scene(c, Stage::consolidation).soil;
+    const Scene scene = make_scene(c, Stage::consolidation);
+    const SoilModel& model = scene.soil;
     state.soil = place_soil(model);
     if (c.elements.disc_columns == 0) {
         for (Disc& d : state.discs.disc) d.y_m += static_cast<double>(c.elements.rows) * c.elements.block_height_m;
@@ -47,7 +48,7 @@ void fill_soil(const Case& c, State& state) {
     state.discs = {};
     for (std::uint32_t b = 0; b < state.soil.kind.size(); ++b) {
         if (state.soil.kind[b] != BlockKind::discs) continue;
-        for (const Disc& d : plan_to_discs(model, state.soil, b).add) {
+        for (const Disc& d : plan_to_discs(model, scene.dem, state.soil, b).add) {
             state.discs.id.push_back(static_cast<std::uint32_t>(state.discs.disc.size()));
             state.discs.disc.push_back(d);
         }

@@ -1,0 +1,70 @@
+# Chapter 5 as a graph of files: bed → sunk tyre → travel (the sweep's rules of chapter 3) → measurements → checks, report.
+# Included from the top level's directory:
+#   make -f reproductions/chapter5/chapter.mk reproduce
+
+CHAPTER := reproductions/chapter5
+SWEEP   := $(CHAPTER)/chapter.mk
+OUT     := build/runs/chapter5
+REPORT  := build/reports/chapter5
+COMMAND ?= make reproduce-chapter5
+
+# REGION-sSLIP-rREALISATION
+SLIPS   := 0 10 20 30 40 50 60 70
+REGIONS := small middle large row discs
+RUNS    ?= $(foreach g,$(REGIONS),$(foreach s,$(SLIPS),$(g)-s$(s)-r1))
+
+.PHONY: reproduce runs report quick sensitivity
+
+reproduce:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
+	@$(MAKE) --no-print-directory -f $(SWEEP) report
+
+runs: sweep
+
+include reproductions/chapter3/sweep.mk
+
+part = $(word $(2),$(subst -, ,$(1)))
+case_of = $(CHAPTER)/cases/$(call part,$(1),1).toml
+seed_of = --set bed.seed=$(patsubst r%,%,$(lastword $(subst -, ,$(1))))
+slip_of = --set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),2))
+sunk_of = $(call part,$(1),1)-$(lastword $(subst -, ,$(1)))
+
+SUNK := $(sort $(foreach r,$(RUNS),$(call sunk_of,$(r))))
+$(foreach s,$(SUNK),$(eval $(call bed_rule,bed-$(s),$(call case_of,$(s)),$(call seed_of,$(s)))))
+$(foreach s,$(SUNK),$(eval $(call sunk_rule,$(s),$(call case_of,$(s)),$(call seed_of,$(s)),bed-$(s))))
+$(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call seed_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
+
+travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS))) $(OUT)/confined/measurements.csv
+
+$(OUT)/confined/measurements.csv: $(INPUTS)
+	@exec > $(OUT)/logs/confined.log 2>&1; exec $(IFEDEM) confined $(CHAPTER)/cases/small.toml -o $(OUT)/confined
+
+report: $(INPUTS)
+	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs)
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT) \
+	  --title "Chapter 5: soil that changes between elements and discs" --command "$(COMMAND)"
+	@echo "report: $(REPORT)/index.html"
+	@$(IFEDEM) check $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT)/checks.csv
+	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
+
+# The machinery, not the numbers: one block of confined compression and a short travel with a conversion.
+QUICK := build/runs/quick5
+quick:
+	@mkdir -p $(QUICK)
+	@$(IFEDEM) confined $(CHAPTER)/cases/small.toml -o $(QUICK)/confined
+	@$(IFEDEM) run $(CHAPTER)/cases/short.toml -o $(QUICK)/small-s40-r1 --force --quiet
+	@$(CHAPTER)/measure.sh $(IFEDEM) $(QUICK)/measured $(QUICK)/small-s40-r1
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(QUICK)/measured $(QUICK)/confined \
+	  -o build/reports/quick5 --title "Chapter 5, quick: the machinery, not the numbers" --command "make quick-chapter5"
+	@echo "report: build/reports/quick5/index.html"
+
+# What the text leaves open, one change each on the small region at 40 %.
+VARIED := conversion-100:elements.conversion_interval_steps=100 conversion-2500:elements.conversion_interval_steps=2500 \
+          damping-0:elements.material.damping_1_s=0 damping-50:elements.material.damping_1_s=50 \
+          friction-05:contact.friction_elements=0.5 mass-full:elements.pattern_mass_factor=1
+sensitivity: $(INPUTS)
+	@for v in $(VARIED); do name=small-$${v%%:*}; \
+	  [ $(OUT)/$$name/run.csv -nt $(INPUTS) ] || $(IFEDEM) run $(CHAPTER)/cases/small.toml -o $(OUT)/$$name --force --quiet \
+	    --set travel.slip_percent=40 --set $${v#*:} > /dev/null || exit 1; done
+	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/sensitivity $(foreach v,$(VARIED),$(OUT)/small-$(firstword $(subst :, ,$(v)))) $(OUT)/small-s40-r1
+	@cat $(OUT)/sensitivity/runs.csv
