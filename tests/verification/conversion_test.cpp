@@ -196,7 +196,7 @@ TEST(BackAndForth, twenty_times_does_not_run_away) {
 // ---- Stress handed over ---------------------------------------------------------------------------------------------
 
 /// What one conversion there and back does to a block that carries its own weight ten times over: σ_y of what comes
-/// out, the settlement of its surface and the largest kinetic energy afterwards.
+/// out, how its surface settles afterwards and the largest kinetic energy afterwards.
 struct Step {
     double before_Pa = 0, element_Pa = 0, discs_Pa = 0;
     double settlement_m = 0, burst_J = 0;
@@ -223,10 +223,10 @@ Step convert_there_and_back(StressHandover handover) {
     };
     Step s;
     s.before_Pa = mean_stress_Pa(w.scene.dem, w.state, all(), volume)[1];
-    const double surface = block_surface_m(w.scene.soil, w.state, middle);
     apply_conversion(plan_to_element(w.scene.soil, w.scene.dem, w.state, w.work.soil, middle), w.scene.soil,
                      w.scene.dem, w.state, w.work.dem, w.work.soil);
     s.element_Pa = element_stress();
+    const double surface = block_surface_m(w.scene.soil, w.state, middle);
     for (int k = 0; k < 100; ++k) advance(w, 50), s.burst_J = std::fmax(s.burst_J, kinetic_J(w));
     s.settlement_m = block_surface_m(w.scene.soil, w.state, middle) - surface;
     const double carried = element_stress();
@@ -248,8 +248,8 @@ TEST(Handover, gives_the_new_soil_the_stress_of_the_old) {
     EXPECT_NEAR(without.element_Pa, 0, 1);
     EXPECT_NEAR(with.element_Pa / with.before_Pa, 1, 0.02);  // over the quad's own volume, which is not the block's
     EXPECT_NEAR(with.discs_Pa, 0, 0.02 * std::fabs(with.before_Pa));
-    EXPECT_LT(std::fabs(with.settlement_m), std::fabs(without.settlement_m));
-    EXPECT_LT(with.burst_J, without.burst_J);
+    EXPECT_LT(std::fabs(with.settlement_m), 0.2 * std::fabs(without.settlement_m));
+    EXPECT_LT(with.burst_J, 0.2 * without.burst_J);
 }
 
 // ---- A wheel that drives over blocks --------------------------------------------------------------------------------
