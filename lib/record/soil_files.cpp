@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "coupling/attached_discs.hpp"
 #include "record/results.hpp"
+#include "step/fields.hpp"
 
 namespace ifedem {
 
@@ -30,6 +31,24 @@ std::string conversions_csv(const SoilState& soil) {
                                 s.disc_mass_kg, s.element_mass_kg, s.momentum_x_Ns, s.momentum_y_Ns, s.kinetic_J,
                                 s.elastic_J, s.height_J, s.surface_m);
         text += "\n";
+    }
+    return text;
+}
+
+std::string stress_csv(const Scene& scene, const State& state, const Workspace& work) {
+    std::string text = "what,x_m,y_m,radius_m,stress_x_Pa,stress_y_Pa,stress_xy_Pa\n";
+    const std::vector<DiscStress> stress = measure_stress(scene, state, work);
+    for (std::size_t p = 0; p < stress.size(); ++p) {
+        const Disc& d = state.discs.disc[p];
+        fmt::format_to(std::back_inserter(text), "disc,{:.5f},{:.5f},{:.4f},{:.5g},{:.5g},{:.5g}\n", d.x_m, d.y_m,
+                       d.radius_m, stress[p].x_Pa, stress[p].y_Pa, stress[p].xy_Pa);
+    }
+    for (const Element& e : work.soil.elements.element) {
+        Vec2 centre;
+        for (const std::uint32_t n : e.node) centre += 0.25 * state.soil.position_m[n];
+        const auto s = centroid_stress_Pa(e, scene.soil.material, PlaneState::strain, state.soil.position_m);
+        fmt::format_to(std::back_inserter(text), "element,{:.5f},{:.5f},,{:.5g},{:.5g},{:.5g}\n", centre.x, centre.y,
+                       s[0], s[1], s[2]);
     }
     return text;
 }

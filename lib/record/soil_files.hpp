@@ -4,11 +4,16 @@
 #include <vector>
 
 #include "model/state.hpp"
+#include "step/scene.hpp"
 
 namespace ifedem {
 
 /// All conversions so far: step, block, kind, whether refused, attached discs, and stock before and after.
 [[nodiscard]] std::string conversions_csv(const SoilState& soil);
+
+/// "what,x_m,y_m,radius_m,stress_x_Pa,stress_y_Pa,stress_xy_Pa": mean stress of every disc (Eq 5.10) and stress at the
+/// centroid of every soil element (no radius). Compression < 0.
+[[nodiscard]] std::string stress_csv(const Scene& scene, const State& state, const Workspace& work);
 
 // soil.csv of a run directory stands beside the frames of results.h5: a line for every element ("element", block, four
 // corners) and every attached disc ("attached", block, centre, radius) at each frame's time.
