@@ -12,6 +12,7 @@
 #include "coupling/attached_discs.hpp"
 #include "record/results.hpp"
 #include "step/fields.hpp"
+#include "step/scene.hpp"
 
 namespace ifedem {
 

@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "model/state.hpp"
-#include "step/scene.hpp"
 
 namespace ifedem {
+
+struct Scene;      // step/scene.hpp
+struct Workspace;  // step/scene.hpp
 
 /// All conversions so far: step, block, kind, whether refused, attached discs, and stock before and after.
 [[nodiscard]] std::string conversions_csv(const SoilState& soil);
