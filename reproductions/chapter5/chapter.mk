@@ -32,7 +32,7 @@ sunk_of = $(call part,$(1),1)-$(lastword $(subst -, ,$(1)))
 SUNK := $(sort $(foreach r,$(RUNS),$(call sunk_of,$(r))))
 $(foreach s,$(SUNK),$(eval $(call bed_rule,bed-$(s),$(call case_of,$(s)),$(call seed_of,$(s)))))
 $(foreach s,$(SUNK),$(eval $(call sunk_rule,$(s),$(call case_of,$(s)),$(call seed_of,$(s)),bed-$(s))))
-$(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call seed_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
+$(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call seed_of,$(r)) $(call slip_of,$(r)) --stress,$(call sunk_of,$(r)))))
 
 travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS))) $(OUT)/confined/measurements.csv
 

@@ -1,16 +1,36 @@
 #!/bin/sh
 # measure.sh IFEDEM OUT RUN...: what the claims of chapter 5 compare, from finished runs named REGION-sSLIP-rREALISATION.
 # Writes OUT/runs.csv (means of each run over its last 0.3 m, section 5.2.1), OUT/curves.csv (means over realisations),
-# OUT/surface-RUN.csv, OUT/measurements.csv and the pictures that the report shows.
+# OUT/epochs.csv (what a conversion does to the tyre), OUT/surface-RUN.csv, OUT/measurements.csv and the report's pictures.
 set -eu
 ifedem=$1 out=$2
 shift 2
 mkdir -p "$out"
+here=$(dirname "$0")
 
+echo "run,quantity,conversions,step,standard_error" > "$out/epochs.csv"
+echo "run,ahead_kPa,behind_kPa,positive_kPa" > "$out/shear.csv"
 echo "run,region,slip_percent,realisation,gross_N,net_N,resistance_N,sinkage_cm,vertical_N,slip,cpu_s,conversions,refused,upheaval_cm,rut_cm" > "$out/runs.csv"
 for run in "$@"; do
     name=$(basename "$run")
     case $name in *-s40-r1 | *-s70-r1) cp "$run/snapshot_bed.png" "$out/${name%-r1}.png" ;; esac
+    step_s=$(sed -n 's/^time_step_s = \([^ ]*\).*/\1/p' "$run/case.toml")
+    [ ! -f "$run/conversions.csv" ] || awk -v step_s="$step_s" -v half=0.25 -v name="$name" -f "$here/epoch.awk" \
+        "$run/conversions.csv" "$run/series.csv" >> "$out/epochs.csv"
+    # Shear stress of the discs in the row under the tyre: the mean over a block ahead of the axle and over one behind the
+    # tyre, and the largest mean of a cell of 5 cm.
+    [ ! -f "$run/stress.csv" ] || awk -F, -v name="$name" '
+        FILENAME ~ /series.csv$/ { if (FNR == 1) for (k = 1; k <= NF; ++k) at[$k] = k; else hub = $at["wheel_x_m"]; next }
+        $1 == "disc" && $3 > 0.2 {
+            a = $4 * $4; d = $2 - hub
+            if (d > 0 && d < 0.15) { ahead += a * $7; ahead_area += a }
+            if (d < -0.15 && d > -0.3) { behind += a * $7; behind_area += a }
+            if (d > -0.6 && d < 0.6) { cell = int($2 / 0.05) SUBSEP int($3 / 0.05); sum[cell] += a * $7; area[cell] += a }
+        }
+        END {
+            for (c in sum) if (area[c] > 2.5e-4 && sum[c] / area[c] > most) most = sum[c] / area[c]
+            printf "%s,%.4g,%.4g,%.4g\n", name, ahead_area ? ahead / ahead_area / 1000 : 0, behind_area ? behind / behind_area / 1000 : 0, most / 1000
+        }' "$run/series.csv" "$run/stress.csv" >> "$out/shear.csv"
     "$ifedem" surface "$run" -o "$out/surface-$name.csv"
     awk -F, -v name="$name" -v last=0.3 '
         FILENAME ~ /run.csv$/ { if ($1 == "cpu_s") cpu = $2; next }
@@ -115,3 +135,22 @@ awk -F, -v out="$out" '
             }
         }
     }' "$out/runs.csv"
+
+# Epochs over all runs with conversions, each run weighted alike; shear of the small region against discs only.
+awk -F, '
+    FILENAME ~ /epochs.csv$/ {
+        if (FNR == 1) next
+        ++n[$2]; sum[$2] += $4; var[$2] += $5 * $5; made[$2] += $3; next }
+    FNR > 1 { ahead[$1] = $2; behind[$1] = $3; most[$1] = $4 }
+    END {
+        split("net_traction_N vertical_force_N sinkage_mm", q, " "); unit[1] = unit[2] = "N"; unit[3] = "mm"
+        for (k = 1; k <= 3; ++k) if (n[q[k]])
+            printf "epoch_%s,%.4g,%s,%.4g,%d,step at a conversion: mean over 0.25 s after less before; scatter is the standard error\n", \
+                q[k], sum[q[k]] / n[q[k]], unit[k], sqrt(var[q[k]]) / n[q[k]], made[q[k]]
+        s = "small-s40-r1"; d = "discs-s40-r1"
+        if (s in behind) printf "shear_behind_small,%.4g,-,0,1,mean shear stress over a block behind the tyre over that ahead of the axle at 40 %%\n", behind[s] / ahead[s]
+        if ((s in ahead) && (d in ahead)) {
+            printf "shear_ahead_ratio,%.4g,-,0,1,mean shear stress over a block ahead of the axle: small region over discs only at 40 %%\n", ahead[s] / ahead[d]
+            printf "shear_positive_excess,%.4g,-,0,1,largest positive shear stress of a cell of 5 cm: small region less discs only over that ahead of the axle\n", (most[s] - most[d]) / -ahead[d]
+        }
+    }' "$out/epochs.csv" "$out/shear.csv" >> "$out/measurements.csv"
