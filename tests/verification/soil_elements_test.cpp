@@ -291,10 +291,10 @@ TEST(Energy, of_discs_that_fall_on_elements_closes) {
 
 TEST(SoilElements, resume_and_threads_give_the_same_bits) {
     World whole = begin(make_trough());
-    advance(whole, 3000);
+    advance(whole, 1000);
     World half = begin(make_trough());
     omp_set_num_threads(2);
-    advance(half, 1500);
+    advance(half, 500);
     const Scratch scratch;
     write_checkpoint(scratch.file("checkpoint.h5"), half.state, half.scene.c);
     World resumed;
@@ -302,7 +302,7 @@ TEST(SoilElements, resume_and_threads_give_the_same_bits) {
     EXPECT_EQ(hash_state(resumed.state), hash_state(half.state));
     resumed.scene = make_scene(make_trough(), Stage::consolidation);
     resumed.work = make_workspace(resumed.scene, resumed.state);
-    advance(resumed, 1500);
+    advance(resumed, 500);
     omp_set_num_threads(1);
     EXPECT_EQ(to_hex(hash_state(resumed.state)), to_hex(hash_state(whole.state)));
     EXPECT_GT(whole.state.soil.contacts.size(), 10U);
