@@ -12,7 +12,7 @@ namespace ifedem {
 enum class Existing { refuse, replace };  ///< what `run` does with a directory that is already there
 enum class Show { progress, nothing };
 enum class UnstableStep { refuse, allow };  ///< what `run` does with a step beyond a limit
-enum class FinalStress { skip, write };  ///< stress.csv: the soil's stress at the end of travel
+enum class FinalStress { skip, write };     ///< stress.csv: the soil's stress at the end of travel
 
 struct RunRequest {
     std::string case_path;
