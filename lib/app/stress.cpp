@@ -117,10 +117,10 @@ std::string parametric_table(const std::vector<SlipGroup>& groups, const SoilPar
 }
 
 std::string measurements_table(const std::vector<SlipGroup>& groups) {
-    std::string text = csv_line({"name", "value", "units", "scatter", "n", "note"});
+    std::string text = csv_line({"name", "value", "units", "scatter", "n", "note", "uncertainty"});
     for (const StressMeasure& m : measure_stress(groups))
         text += csv_line({m.name, fmt::format("{:.8g}", m.value), m.units, fmt::format("{:.6g}", m.scatter),
-                          std::to_string(m.n), m.note});
+                          std::to_string(m.n), m.note, m.uncertainty ? fmt::format("{:.6g}", *m.uncertainty) : ""});
     return text;
 }
 

@@ -50,8 +50,7 @@ public:
         if (g.run.size() >= 3) return add_runs(g, name, units, [&](const StressRun& r) { return value(r.features); });
         std::vector<double> values;
         for (const CurveFeatures& f : g.replicate) values.push_back(value(f));
-        list_.push_back({fmt::format("{}_s{:g}", name, g.slip_percent), value(g.features), units,
-                         standard_deviation(values), blocks(), bootstrap_note});
+        add_bootstrap(fmt::format("{}_s{:g}", name, g.slip_percent), units, value(g.features), values, g.run.size());
     }
 
     /// Something made of the features of all slips together.
@@ -62,7 +61,7 @@ public:
         std::vector<double> values;
         for (std::size_t k = 0; k < groups_.front().replicate.size(); ++k)
             values.push_back(statistic([k](const SlipGroup& g) { return g.replicate[k]; }));
-        list_.push_back({name, value, units, standard_deviation(values), blocks(), bootstrap_note});
+        add_bootstrap(name, units, value, values, fewest_runs());
     }
 
     void add(StressMeasure m) {
@@ -72,12 +71,21 @@ public:
     [[nodiscard]] std::vector<StressMeasure> list() && { return std::move(list_); }
 
 private:
-    static constexpr const char* bootstrap_note =
-        "scatter: bootstrap over travel blocks and realisations; n: blocks of the slip with the fewest";
+    /// 1.96 standard deviations of the replicates: they are near enough to normal, and the tails of 400 are not known
+    /// well.
+    void add_bootstrap(const std::string& name, const char* units, double value, const std::vector<double>& values,
+                       std::size_t runs) {
+        const double deviation = standard_deviation(values);
+        list_.push_back(
+            {name, value, units, deviation, runs,
+             runs < 2 ? "bootstrap over travel blocks of one realisation a slip: what packings scatter is not in it"
+                      : "bootstrap over travel blocks and realisations",
+             1.96 * deviation});
+    }
 
-    [[nodiscard]] std::size_t blocks() const {
-        std::size_t fewest = std::numeric_limits<std::size_t>::max();
-        for (const SlipGroup& g : groups_) fewest = std::min(fewest, g.run.size() * g.run.front().stress.block.size());
+    [[nodiscard]] std::size_t fewest_runs() const {
+        std::size_t fewest = groups_.front().run.size();
+        for (const SlipGroup& g : groups_) fewest = std::min(fewest, g.run.size());
         return fewest;
     }
 

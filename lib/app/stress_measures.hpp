@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct StressMeasure {
     double scatter = 0;
     std::size_t n = 1;
     std::string note;
+    std::optional<double> uncertainty{};  ///< 95 % half-width where it is not the realisations' U
 };
 [[nodiscard]] std::vector<StressMeasure> measure_stress(const std::vector<SlipGroup>& groups);
 
