@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "check/bounce.hpp"
 #include "check/statistics.hpp"
 #include "core/bitmath.hpp"
 #include "core/error.hpp"
@@ -133,7 +134,12 @@ RunMetrics measure(const Run& run, const Window& window) {
     m.net_traction_N = mean_of(pull);
     m.motion_resistance_N = m.net_traction_N - m.gross_tractive_effort_N;
     m.drawbar_deviation_N = std::sqrt(std::max(0.0, mean_of(pull_squared) - m.net_traction_N * m.net_traction_N));
-    m.vertical_force_N = mean_of(column(run, "vertical_force_N"));
+    const auto& vertical = column(run, "vertical_force_N");
+    m.vertical_force_N = mean_of(vertical);
+    const auto index = [&](double t) { return std::lower_bound(time.begin(), time.end(), t) - time.begin(); };
+    const std::span<const double> within(vertical.begin() + index(from), vertical.begin() + index(to));
+    const Bounce bounce = find_bounce(within, (time.back() - time.front()) / static_cast<double>(time.size() - 1));
+    m.bounce_N = bounce.amplitude_N, m.bounce_Hz = bounce.frequency_Hz;
     m.sinkage_cm = 100 * mean_of(column(run, "sinkage_m"));
     m.deflection_mm = 1e3 * (run.c.wheel.tread_radius_m - m.effective_radius_m);
     m.direct_thrust_N = mean_or("fx_positive_N", nan);
@@ -159,7 +165,7 @@ RunMetrics unknown_metrics() {
 }
 
 std::span<const MetricInfo> metric_table() {
-    static constexpr std::array<MetricInfo, 16> table{{
+    static constexpr std::array<MetricInfo, 18> table{{
         {"gross_tractive_effort_N", "N", "H", &RunMetrics::gross_tractive_effort_N},
         {"gross_tractive_effort_instant_N", "N", "⟨T/r_e⟩", &RunMetrics::gross_tractive_effort_instant_N},
         {"gross_tractive_effort_minimum_N", "N", "⟨T⟩/min r_e", &RunMetrics::gross_tractive_effort_minimum_N},
@@ -176,6 +182,8 @@ std::span<const MetricInfo> metric_table() {
         {"horizontal_imbalance_N", "N", "ΣF_x − P_d", &RunMetrics::horizontal_imbalance_N},
         {"vertical_inertia_N", "N", "ṗ_y", &RunMetrics::vertical_inertia_N},
         {"vertical_imbalance_N", "N", "ΣF_y − W − ṗ_y", &RunMetrics::vertical_imbalance_N},
+        {"bounce_N", "N", "amplitude of ΣF_y", &RunMetrics::bounce_N},
+        {"bounce_Hz", "Hz", "its frequency", &RunMetrics::bounce_Hz},
     }};
     return table;
 }

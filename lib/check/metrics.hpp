@@ -53,6 +53,7 @@ struct RunMetrics {
     double horizontal_imbalance_N = 0;       ///< ⟨Σ F_x⟩ − ⟨P_d⟩: 0 for a wheel that does not accelerate
     double vertical_inertia_N = 0;           ///< growth of the wheel's vertical momentum / time; 0 if not recorded
     double vertical_imbalance_N = 0;         ///< ⟨Σ F_y⟩ − W − inertia: 0 for every window
+    double bounce_N = 0, bounce_Hz = 0;      ///< strongest oscillation of Σ F_y, 1–25 Hz
     double drawbar_deviation_N = 0;          ///< standard deviation of P within the window
     std::map<std::string, double> energy_J;  ///< growth of each column of the series that ends in _J, over the window
 };
