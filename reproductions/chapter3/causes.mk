@@ -11,9 +11,13 @@ CASE    := $(CHAPTER)/cases/B3-earth.toml
 LAYER   := $(foreach d,0 5 20,$(foreach r,1 2,damping$(d)-r$(r)))
 # 3: the rim, elastic or rigid, at one step that both can take
 RIM     := $(foreach r,1 2 3 4,elastic-r$(r)) rigid-r1 rigid-r2
-# Beside them: speed, damping against the absolute velocity as Eq 2.3 has it, half chord, no layers at all
-OTHER   := $(foreach w,speed0.05 speed0.2 absolute half-chord wheel-rigid,$(foreach r,1 2,$(w)-r$(r)))
-RUNS    := $(RIM) $(LAYER) $(OTHER)
+# Beside them: speed, damping against the absolute velocity as Eq 2.3 has it (also in the rim or in the layers alone), half
+# chord, no layers at all, and the two together
+OTHER   := $(foreach w,speed0.05 speed0.2 absolute half-chord wheel-rigid absolute-half,$(foreach r,1 2,$(w)-r$(r))) \
+           absolute-half-r3 wheel-rigid-half-r1 wheel-rigid-absolute-r1 absolute-rim-r1 absolute-layers-r1
+# The bounce: hub mass changed through the rim's density (3000 kg/m3), and the rhythm of the lugs
+BOUNCE  := rim750-r1 rim12000-r1 speed0.07-r1 pairs18-r1
+RUNS    := $(RIM) $(LAYER) $(OTHER) $(BOUNCE)
 
 realisation_of = $(lastword $(subst -r, ,$(1)))
 what_of = $(patsubst %-r$(call realisation_of,$(1)),%,$(1))
@@ -24,6 +28,15 @@ sets_of_rigid       := --set time_step_s=1.5e-5
 sets_of_absolute    := --set wheel.damping_frame=absolute
 sets_of_half-chord  := --set contact.rolling_chord=half
 sets_of_wheel-rigid := --set wheel.body=rigid
+sets_of_absolute-half        := $(sets_of_absolute) $(sets_of_half-chord)
+sets_of_wheel-rigid-half     := $(sets_of_wheel-rigid) $(sets_of_half-chord)
+sets_of_wheel-rigid-absolute := $(sets_of_wheel-rigid) $(sets_of_absolute)
+sets_of_absolute-rim         := $(sets_of_absolute) $(foreach p,intermediate surface lug,--set wheel.$(p).damping_1_s=0)
+sets_of_absolute-layers      := $(sets_of_absolute) --set wheel.rim.damping_1_s=0
+sets_of_rim750      := --set wheel.rim.density_kg_m3=750
+sets_of_rim12000    := --set wheel.rim.density_kg_m3=12000
+sets_of_speed0.07   := --set travel.speed_m_s=0.07
+sets_of_pairs18     := --set wheel.lug_pairs=18
 sets_of_damping0    := $(call damp,0)
 sets_of_damping5    := $(call damp,5)
 sets_of_damping20   := $(call damp,20)
