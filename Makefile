@@ -79,6 +79,7 @@ sanitize sanitize-unit: $(BUILD)/.packages ## tests (all, or the unit tests) und
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target $(if $(filter sanitize-unit,$@),tests_unit,all)
 	@ctest --test-dir $(BUILD)-sanitize --output-on-failure -j $(JOBS) $(if $(filter sanitize-unit,$@),-L unit)
 
+# FIDELITY=dissertation CASE=B3-earth-170N-s60-r1 THREADS=n: one run of chapter 3 with the text's own step
 reproduce-chapter%: build ## simulate, check and report a chapter: reproduce-chapter3
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk reproduce
 
@@ -91,10 +92,10 @@ sensitivity-chapter%: build ## what each choice that the text leaves open does t
 causes-chapter3: build ## the runs behind "Causes" in chapter 3's README
 	@$(MAKE) --no-print-directory -j$(JOBS) -f reproductions/chapter3/causes.mk causes
 
-# QUICK=1: the quick runs alone. RUNS="name ...": these. Else three runs of each report, drawn with SEED.
+# QUICK=1: the quick runs alone. NAMES="run ...": these. Else three runs of each report, drawn with SEED.
 SEED ?= $(shell date +%s)
 verify-reports: build ## rerun some runs of the committed reports from nothing and compare hashes
-	@reports/verify.sh $(if $(QUICK),quick,$(if $(RUNS),runs $(RUNS),draw 3 $(SEED)))
+	@reports/verify.sh $(if $(QUICK),quick,$(if $(NAMES),runs $(NAMES),draw 3 $(SEED)))
 
 check-pages: ## reports in headless Chromium at the width of a phone and a desk (installs chromium)
 	@dpkg -s chromium > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends chromium; }

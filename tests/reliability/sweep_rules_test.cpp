@@ -1,0 +1,127 @@
+// The make rules of a chapter's sweep (reproductions/chapter3/sweep.mk) on tiny travels: what fails stops no other,
+// what is done is not repeated, what was stopped goes on, and a changed input repeats all.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "support/scratch.hpp"
+
+namespace ifedem {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code = 0;
+    std::string text;
+};
+
+class Sweep : public ::testing::Test {
+protected:
+    /// Travels of so many metres; `bad` has a slip that is no number.
+    void write_makefile(const std::string& runs, const std::string& distance_m) const {
+        std::ofstream file(scratch.file("sweep.mk"));
+        file << "CHAPTER := " << scratch.file("chapter") << "\nSWEEP := " << scratch.file("sweep.mk")
+             << "\nOUT := " << scratch.file("runs") << "\nSTAGES := " << scratch.file("stages") << "\nRUNS := " << runs
+             << "\nruns: sweep\ninclude " << IFEDEM_SOURCE_DIR << "/reproductions/chapter3/sweep.mk\n"
+             << "C := $(CHAPTER)/cases/tiny.toml\nS := --set travel.distance_m=" << distance_m << "\n"
+             << "$(eval $(call bed_rule,bed,$(C),$(S)))\n$(eval $(call sunk_rule,sunk,$(C),$(S),bed))\n"
+             << "$(foreach r,a b,$(eval $(call travel_rule,$(r),$(C),$(S),sunk)))\n"
+             << "$(eval $(call travel_rule,bad,$(C),$(S) --set travel.slip_percent=many,sunk))\n"
+             << "travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))\n";
+    }
+    void write_case(const std::string& more) const {
+        std::ofstream(scratch.file("chapter/cases/tiny.toml"))
+            << "base = \"" << IFEDEM_SOURCE_DIR
+            << "/reproductions/chapter3/cases/short.toml\"\n[bed]\ndisc_count = 1500\n"
+            << "[stages]\nconsolidation_s = 0.2\nsinkage_s = 0.1\n[record]\ncheckpoint_interval_s = 0.02\n"
+            << more;
+    }
+    void SetUp() override {
+        fs::create_directories(scratch.file("chapter/cases"));
+        std::ofstream(scratch.file("chapter/realisations.mk")) << "PHASE_1 := 0\n";
+        write_case("");
+    }
+    [[nodiscard]] std::string command() const {
+        return std::string("env -u MAKEFLAGS make --no-print-directory -f ") + scratch.file("sweep.mk") +
+               " runs JOBS=1 IFEDEM=" + IFEDEM_PROGRAM + " 2>&1";
+    }
+    [[nodiscard]] Outcome run_make() const {
+        Outcome outcome;
+        FILE* pipe = popen(command().c_str(), "r");
+        std::array<char, 4096> buffer{};
+        while (fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) outcome.text += buffer.data();
+        outcome.code = WEXITSTATUS(pclose(pipe));
+        return outcome;
+    }
+    [[nodiscard]] auto finished(const std::string& run) const {
+        return fs::last_write_time(scratch.file("runs/" + run + "/run.csv"));
+    }
+
+    Scratch scratch;
+};
+
+TEST_F(Sweep, AFailedRunStopsNoOtherAndDoneWorkIsNotRepeated) {
+    write_makefile("a bad b", "0.01");
+    const Outcome first = run_make();
+    EXPECT_NE(first.code, 0);
+    EXPECT_NE(first.text.find("failed: bad"), std::string::npos) << first.text;
+    EXPECT_NE(first.text.find("slip_percent is a text"), std::string::npos) << first.text;
+    EXPECT_EQ(first.text.find("failed: a"), std::string::npos) << first.text;
+    ASSERT_TRUE(fs::exists(scratch.file("runs/a/run.csv")) && fs::exists(scratch.file("runs/b/run.csv"))) << first.text;
+
+    const auto before = finished("b");
+    fs::last_write_time(scratch.file("chapter/cases/tiny.toml"), fs::file_time_type::clock::now());  // same text
+    write_makefile("a b", "0.01");
+    EXPECT_EQ(run_make().code, 0);
+    EXPECT_EQ(finished("b"), before);
+
+    write_case("series_interval_s = 0.001\n");
+    EXPECT_EQ(run_make().code, 0);
+    EXPECT_GT(finished("b"), before);
+}
+
+TEST_F(Sweep, WhatWasStoppedGoesOnFromItsCheckpoint) {
+    write_makefile("a", "0.2");
+    const pid_t make = fork();
+    if (make == 0) {
+        execl("/bin/sh", "sh", "-c", ("exec " + command() + " > " + scratch.file("make.log")).c_str(), nullptr);
+        _exit(127);
+    }
+    // Stopped once the travel has a checkpoint.
+    const std::string checkpoint = scratch.file("runs/a/checkpoint.h5");
+    for (int k = 0; k < 6000 && !fs::exists(checkpoint) && kill(make, 0) == 0 && waitpid(make, nullptr, WNOHANG) == 0;
+         ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(fs::exists(checkpoint)) << read_text(scratch.file("make.log"));
+    kill(make, SIGTERM);
+    int status = 0;
+    waitpid(make, &status, 0);
+    // The program may still be writing its last checkpoint when make is gone.
+    const std::string log = scratch.file("runs/logs/a.log");
+    for (int k = 0; k < 3000 && read_text(log).find("goes on from step") == std::string::npos; ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_FALSE(fs::exists(scratch.file("runs/a/run.csv")));
+
+    const Outcome second = run_make();
+    ASSERT_EQ(second.code, 0) << second.text;
+    const std::string facts = read_text(scratch.file("runs/a/run.csv"));
+    const auto number = [&](const std::string& name) {
+        const auto at = facts.find("\n" + name + ",");
+        return std::stol(facts.substr(at + name.size() + 2));
+    };
+    EXPECT_LT(number("steps"), number("total_steps") - 7500);  // fewer than the travel's own: it did not begin anew
+    EXPECT_GT(number("steps"), 0);
+}
+
+}  // namespace
+}  // namespace ifedem
