@@ -5,7 +5,7 @@ CHAPTER := reproductions/chapter2
 SWEEP   := $(CHAPTER)/travel.mk
 OUT     := build/runs/chapter2/travel
 SLIPS   := 0 20 40 60
-SEEDS   := 1 2 3
+SEEDS   := 1 2 3 4 5 6
 RUNS    := $(foreach r,$(SEEDS),$(foreach s,$(SLIPS),pid-s$(s)-r$(r) prescribed-s$(s)-r$(r)) walls-s60-r$(r) light-s60-r$(r))
 
 include reproductions/chapter3/sweep.mk
