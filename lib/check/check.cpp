@@ -20,6 +20,22 @@ std::string evidence_text(const Outcome& o) {
     return o.detail.empty() ? o.claim.evidence : o.claim.evidence + "; " + o.detail;
 }
 
+/// The chapter's claims, then those of its folders that have some, as figures do.
+std::vector<Claim> read_all_claims(const std::string& path, const Ledger& ledger) {
+    namespace fs = std::filesystem;
+    std::vector<Claim> claims = read_claims(path, ledger);
+    if (fs::path(path).filename() != "claims.csv") return claims;
+    std::vector<std::string> further;
+    for (const auto& entry : fs::directory_iterator(fs::absolute(path).parent_path()))
+        if (fs::exists(entry.path() / "claims.csv")) further.push_back((entry.path() / "claims.csv").string());
+    std::sort(further.begin(), further.end());
+    for (const auto& file : further) {
+        const std::vector<Claim> more = read_claims(file, ledger);
+        claims.insert(claims.end(), more.begin(), more.end());
+    }
+    return claims;
+}
+
 }  // namespace
 
 std::string find_root(const std::string& path) {
@@ -36,7 +52,7 @@ CheckResult check_claims(const std::string& claims_path, const std::vector<std::
     CheckResult result;
     result.root = find_root(claims_path);
     const Ledger ledger = read_ledger(result.root);
-    const auto claims = read_claims(claims_path, ledger);
+    const auto claims = read_all_claims(claims_path, ledger);
     result.campaign = read_campaign(run_dirs);
     result.outcomes = evaluate(claims, ledger, result.campaign, result.root);
     return result;
