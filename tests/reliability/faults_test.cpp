@@ -216,7 +216,7 @@ TEST_F(Faults, FlippedBits) {
         flip_bits(tally, whole, trials(400, 100), Allowed::nothing, read_all_frames, random);
     }
     std::vector<std::string> arguments = runs.run_arguments("part");
-    arguments.insert(arguments.end(), {"--stop-at-step", "6000"});
+    arguments.insert(arguments.end(), {"--stop-at-step", "10800"});
     ASSERT_EQ(Program(arguments, runs.log("part")).wait().status, 0);
     {
         Tally tally("one bit flipped in a checkpoint");
