@@ -250,6 +250,10 @@ std::optional<Symptom> check_bed(const Scene& scene, const State& state, const W
     // Discs on soil elements have contacts that are not counted here.
     if (scene.stage != Stage::sinkage || state.progress.step > health_interval || scene.has_soil_elements())
         return std::nullopt;
+    // Less than two layers have few contacts however well they have settled: check_wheel() calls them shallow.
+    double diameters_m = 0;
+    for (const Disc& d : state.discs.disc) diameters_m += 2 * d.radius_m;
+    if (diameters_m < 2 * scene.c.bed.length_m) return std::nullopt;
     constexpr double least = 2;
     const double contacts = count_contacts(scene, state, work);
     if (contacts >= least) return std::nullopt;
