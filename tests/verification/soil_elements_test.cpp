@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include "core/hash.hpp"
+#include "dem/bed.hpp"
 #include "record/checkpoint.hpp"
 #include "step/energy.hpp"
 #include "support/scratch.hpp"
-#include "dem/bed.hpp"
 #include "support/soil_scenes.hpp"
 
 namespace ifedem {
