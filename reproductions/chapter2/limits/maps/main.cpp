@@ -10,7 +10,7 @@
 namespace ifedem::maps {
 
 void Output::measured(const std::string& name, double value, const std::string& units, const std::string& note) {
-    measurements += fmt::format("{},{:.10g},{},,1,{}\n", name, value, units, note);
+    measurements += fmt::format("{},{:.10g},{},,1,\"{}\"\n", name, value, units, note);
 }
 
 void Output::write(const std::string& file, const std::string& text) const {
