@@ -65,7 +65,7 @@ void map_passing(Output& out) {
     for (double share = 1.8; share < 3 && first == 0; share += 0.02)
         for (int k = 0; k < 200; ++k)
             if (first == 0 && shoot(share, 0.01, (k + 0.5) / 200) == Fate::passed) first = share;
-    out.measured("passing_first_share", first, "r",
+    out.measured("passing_first_share", first, "-",
                  "speed × step over radius at which the first disc passes a stiff surface");
 }
 
