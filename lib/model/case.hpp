@@ -153,6 +153,7 @@ struct RecordCase {
 struct HealthCase {
     double overlap_limit =
         0.8;  ///< largest overlap as a share of the smaller radius; at 1 a disc's centre passes a surface
+    double least_contacts = 2;  ///< mean a disc when sinkage begins; fewer: the bed does not carry yet
     double drawbar_error_limit_m = 0.02;
     double torque_error_limit_rad = 0.1;
 };

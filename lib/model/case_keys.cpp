@@ -197,6 +197,8 @@ constexpr std::array keys{
 
     IFEDEM_KEY(health.overlap_limit, "-", above_zero(2),
                "stop when an overlap exceeds this share of the smaller radius"),
+    IFEDEM_KEY(health.least_contacts, "-", from_zero(6),
+               "stop when a disc has fewer contacts in the mean as sinkage begins; 0 = look away"),
     IFEDEM_KEY(health.drawbar_error_limit_m, "m", above_zero(1e3), "stop when the hub is this far from its target"),
     IFEDEM_KEY(health.torque_error_limit_rad, "rad", above_zero(1e3),
                "stop when the wheel is turned this far from its target"),

@@ -254,7 +254,7 @@ std::optional<Symptom> check_bed(const Scene& scene, const State& state, const W
     double diameters_m = 0;
     for (const Disc& d : state.discs.disc) diameters_m += 2 * d.radius_m;
     if (diameters_m < 2 * scene.c.bed.length_m) return std::nullopt;
-    constexpr double least = 2;
+    const double least = scene.c.health.least_contacts;
     const double contacts = count_contacts(scene, state, work);
     if (contacts >= least) return std::nullopt;
     return Symptom{Cause::loose_bed, "the bed does not carry yet: contacts a disc", contacts, least};

@@ -10,7 +10,7 @@ jobs=${JOBS:-$(nproc)}
 release=$root/build/ifedem
 case_file=$root/reproductions/chapter3/cases/short.toml
 long="--set stages.consolidation_s=0.16 --set stages.sinkage_s=0.12 --set travel.distance_m=0.042 --set travel.acceleration_time_s=0.2"
-brief="--set stages.consolidation_s=0.04 --set stages.sinkage_s=0.02 --set travel.distance_m=0.001 --set travel.acceleration_time_s=0.02"
+brief="--set health.least_contacts=0 --set stages.consolidation_s=0.04 --set stages.sinkage_s=0.02 --set travel.distance_m=0.001 --set travel.acceleration_time_s=0.02"
 travel="--set stages.consolidation_s=0.16 --set stages.sinkage_s=0.12 --set travel.distance_m=0.006 --set travel.acceleration_time_s=0.04"
 passed=0 failed=0 not_run=0
 declare -A reference
