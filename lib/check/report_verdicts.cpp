@@ -76,16 +76,9 @@ std::string name_of(const Outcome& o) {
 
 /// One sentence for the summary.
 std::string sentence(const Outcome& o) {
+    if (is_about_curves(o.claim.comparison))
+        return fmt::format("{}: the text says “{}”; {}.", name_of(o), o.reference_text, o.detail);
     switch (o.claim.comparison) {
-        case Comparison::increasing:
-        case Comparison::decreasing:
-        case Comparison::linear:
-        case Comparison::exceeds:
-        case Comparison::same:
-        case Comparison::steeper:
-        case Comparison::cross:
-        case Comparison::not_cross:
-            return fmt::format("{}: the text says “{}”; {}.", name_of(o), o.reference_text, o.detail);
         case Comparison::above:
         case Comparison::below:
             return fmt::format("{}: computed {}.", name_of(o), computed_text(o));

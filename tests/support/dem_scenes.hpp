@@ -161,4 +161,15 @@ inline Momentum momentum_of(const State& state) {
     return m;
 }
 
+/// A case at the beginning of its consolidation, one thread.
+inline World begin(const Case& c) {
+    omp_set_num_threads(1);
+    World w;
+    w.scene = make_scene(c, Stage::consolidation);
+    w.state = make_initial_state(c);
+    begin_stage(w.scene, w.state);
+    w.work = make_workspace(w.scene, w.state);
+    return w;
+}
+
 }  // namespace ifedem::scene

@@ -15,16 +15,6 @@ inline Case make_column_case(std::int64_t columns, std::int64_t rows, double blo
     return c;
 }
 
-inline World begin(const Case& c) {
-    omp_set_num_threads(1);
-    World w;
-    w.scene = make_scene(c, Stage::consolidation);
-    w.state = make_initial_state(c);
-    begin_stage(w.scene, w.state);
-    w.work = make_workspace(w.scene, w.state);
-    return w;
-}
-
 inline Vec2 momentum_of_scene(const World& w) {
     return momentum_of(w.state).linear_Ns + momentum_Ns(w.work.soil, w.state.soil);
 }

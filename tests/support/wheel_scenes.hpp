@@ -15,16 +15,6 @@ inline Case make_small_case(std::int64_t discs, double length_m) {
     return c;
 }
 
-inline World begin(const Case& c) {
-    omp_set_num_threads(1);
-    World w;
-    w.scene = make_scene(c, Stage::consolidation);
-    w.state = make_initial_state(c);
-    begin_stage(w.scene, w.state);
-    w.work = make_workspace(w.scene, w.state);
-    return w;
-}
-
 inline Case make_wheel_case(WheelBody body) {
     Case c = make_small_case(900, 0.42);
     c.wheel.body = body;
