@@ -15,11 +15,11 @@ build/ifedem describe | awk '/^\[/ { table = substr($1, 2, length($1) - 2) "." }
 printf '"%s"\n' '$MeshFormat' '$EndMeshFormat' '$PhysicalNames' '$Entities' '$Nodes' '$EndNodes' '$Elements' '2.2 0 8' '4.1 0 8' rim surface lug > $build/mesh.dict
 echo "fuzzer,executions,crashes" > build/fuzz.csv
 for name in case mesh checkpoint; do
-    dictionary=$build/$name.dict
-    [ -f $dictionary ] || dictionary=/dev/null
+    dictionary=()
+    [ ! -f $build/$name.dict ] || dictionary=(-dict=$build/$name.dict)
     status=0
     $build/tests/fuzz/${name}_fuzzer -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=100000 -print_final_stats=1 \
-        -artifact_prefix=$build/$name- -dict=$dictionary $corpus/$name > $build/$name.log 2>&1 || status=$?
+        -artifact_prefix=$build/$name- "${dictionary[@]}" $corpus/$name > $build/$name.log 2>&1 || status=$?
     executions=$(awk '/stat::number_of_executed_units/ { print $2 }' $build/$name.log)
     echo "$name,${executions:-0},$([ $status = 0 ] && echo 0 || echo 1)" >> build/fuzz.csv
     [ $status = 0 ] || { failed=1; tail -40 $build/$name.log; }
