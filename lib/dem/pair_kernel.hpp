@@ -254,7 +254,7 @@ IFEDEM_INLINE void add_to_i(DiscForce& to, const Four& f) {
 /// Sums pair by pair, i before j: the order of the scalar loop, hence its bits.
 template <PairRolling R, int W>
 IFEDEM_INLINE void scatter(const PairBatch& b, std::uint32_t n, const PairForces<Pack<W>>& f) {
-    Four record[W];
+    Four record[8];  // W of them
     to_records(ForceColumns<typename Pack<W>::Raw>{f.x.v, f.y.v, f.turning.v, f.rolling.v}, record);
     for (int lane = 0; lane < W; ++lane) {
         const std::uint32_t at = n + static_cast<std::uint32_t>(lane);

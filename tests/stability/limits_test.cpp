@@ -97,7 +97,9 @@ TEST(Limits, OfTheWholeWheelIsItsHighestEigenvalue) {
     const double highest =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues()(size - 1);
     for (const StepLimit& l : find_case_limits(scene))
-        if (l.name == "the whole wheel") EXPECT_NEAR(l.undamped_step_s * std::sqrt(highest) / 2, 1, 1e-3);
+        if (l.name == "the whole wheel") {
+            EXPECT_NEAR(l.undamped_step_s * std::sqrt(highest) / 2, 1, 1e-3);
+        }
 }
 
 /// K_p Δt² + 2 K_d Δt < 4 m against the loop itself.

@@ -147,7 +147,9 @@ TEST(Damping, relative_to_the_rigid_motion_balances) {
         Vec2 sum = on_body.force_N;
         double moment = cross(rim.position_m, on_body.force_N) + on_body.moment_Nm, size = norm(on_body.force_N);
         double power = dot(on_body.force_N, rim.velocity_m_s) + on_body.moment_Nm * rim.omega_rad_s;
-        if (body == WheelBody::rigid_rim) EXPECT_GT(size, 0);  // the rim is damped too
+        if (body == WheelBody::rigid_rim) {
+            EXPECT_GT(size, 0);  // the rim is damped too
+        }
         for (std::size_t n = 0; n < force.size(); ++n) {
             sum += force[n], moment += cross(w.state.wheel.position_m[n], force[n]), size += norm(force[n]);
             power += dot(force[n], w.state.wheel.velocity_m_s[n]);
