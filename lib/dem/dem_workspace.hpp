@@ -21,10 +21,14 @@ struct Block {
     std::uint32_t outer_begin = 0, outer_end = 0;  ///< into the outer list
     std::uint32_t pair_begin = 0, pair_end = 0;    ///< into the inner list
     std::uint32_t wall_begin = 0, wall_end = 0;    ///< into the discs near walls
-    std::uint32_t force_begin = 0, force_end = 0;  ///< own discs first, then the discs of later blocks that pairs reach
+    std::uint32_t force_begin = 0,
+                  force_end = 0;  ///< slots of its discs and of all up to the last that its pairs reach
     std::uint32_t merge_begin = 0, merge_end = 0;  ///< into Merge: what earlier blocks hold for this one
     std::uint32_t first_source = 0;                ///< the first block whose pairs reach into this one, or itself
     bool moved = false;                            ///< a disc has left its inner skin in this step
+
+    /// Force slot of the disc at a list position, as far as the block's slots go.
+    [[nodiscard]] std::uint32_t slot(std::uint32_t position) const { return position - disc_begin + force_begin; }
 };
 
 /// "Add force slot `slot` to that of this block's disc `target`."
@@ -46,22 +50,20 @@ struct WallCandidate {
 
 /// Everything that a step needs and that can be made from State alone; never saved.
 struct DemWorkspace {
+    int vector_width = 1;  ///< of the instructions that may be used
     void (*pair_kernel)(const ContactConstants&, const struct PairBatch&) = nullptr;  ///< see vector_width.hpp
     std::vector<Block> block;
     // Inner pairs, unpacked for the pair loop.
-    std::vector<std::uint32_t> i, j;    ///< list positions
-    std::vector<std::uint32_t> slot_j;  ///< force slot of j; that of i follows from its block
+    std::vector<std::uint32_t> i, j;  ///< list positions
     std::vector<double> damping_Ns_m;
     std::vector<double> rolling_Nm;  ///< of DemConstants::rolling_springs, else empty
     std::vector<Merge> merge;
-    std::vector<DiscForce> force;           ///< all blocks' slots
-    std::vector<std::uint32_t> force_slot;  ///< per disc: its own slot
-    std::vector<double> spin_per_moment;    ///< per disc: Δt/I, I = m r²/2
+    std::vector<DiscForce> force;         ///< all blocks' slots
+    std::vector<double> spin_per_moment;  ///< per disc: Δt/I, I = m r²/2
     std::vector<std::uint32_t> position_of_id;
     std::vector<WallCandidate> wall;      ///< as State::wall_contacts, with positions
     std::vector<WheelForce> wheel_force;  ///< of this step, sorted by position
     // As State's outer pairs: what a refresh copies into the arrays above.
-    std::vector<std::uint32_t> outer_slot_j;
     std::vector<double> outer_damping_Ns_m;
     std::vector<WallCandidate> outer_wall;
     // Scratch of a refresh.

@@ -23,7 +23,7 @@ void add_walls(const DemConstants& k, const Block& block, State& state, DemWorks
         const BoundaryForce f = boundary_force(k.wall, k.damping_ratio, d, side.normal, side.distance_m,
                                                side.opposite_radius_m, {0, 0}, spring, spring_step_s);
         spring = f.tangential_spring_m;
-        add_force(work.force[work.force_slot[work.wall[n].position]], f.on_disc());
+        add_force(work.force[block.slot(work.wall[n].position)], f.on_disc());
     }
 }
 
@@ -35,12 +35,10 @@ void add_block_forces(const DemConstants& k, const Block& block, State& state, D
     PairBatch batch;
     batch.disc = state.discs.disc.data();
     batch.i = work.i.data(), batch.j = work.j.data();
-    batch.slot_j = work.slot_j.data();
     batch.damping_Ns_m = work.damping_Ns_m.data();
     batch.spring_m = state.pairs.tangential_m.data();
     batch.rolling_Nm = k.rolling_springs ? work.rolling_Nm.data() : nullptr;
-    batch.force = work.force.data();
-    batch.own_force = batch.force + (block.force_begin - block.disc_begin);  // slots before: no fewer than discs
+    batch.force = work.force.data() + (block.force_begin - block.disc_begin);  // slots before: no fewer than discs
     batch.begin = block.pair_begin, batch.end = block.pair_end;
     batch.spring_step_s = spring_step_s;
     work.pair_kernel(k.soil, batch);
@@ -53,7 +51,7 @@ void merge_block(const Block& block, DemWorkspace& work) {
     const auto before = [](const WheelForce& f, std::uint32_t position) { return f.position < position; };
     auto at = std::lower_bound(work.wheel_force.begin(), work.wheel_force.end(), block.disc_begin, before);
     for (; at != work.wheel_force.end() && at->position < block.disc_end; ++at)
-        add_force(work.force[work.force_slot[at->position]], at->on_disc);
+        add_force(work.force[block.slot(at->position)], at->on_disc);
 }
 
 }  // namespace

@@ -13,6 +13,18 @@
 namespace ifedem {
 namespace {
 
+/// Room for `count` items with little more memory than that: by itself a vector takes twice what it had.
+template <class T>
+void reserve_closely(std::vector<T>& list, std::size_t count) {
+    if (count > list.capacity()) list.reserve(count + count / 16);
+}
+
+template <class T>
+void lengthen(std::vector<T>& list, std::size_t count) {
+    reserve_closely(list, count);
+    if (count > list.size()) list.resize(count);
+}
+
 template <class T>
 void permute(std::vector<T>& items, const std::vector<std::uint32_t>& order) {
     if (items.empty()) return;
@@ -71,10 +83,28 @@ bool is_within(const Disc& a, const Disc& b, double skins_m) {
     return distance_squared(a, b) <= reach * reach;
 }
 
+/// Pairs with at least one disc whose outer skin is wider than usual, filed under their lower position: `higher` holds
+/// those of p from begin[p] to begin[p + 1].
+struct SwiftPairs {
+    std::vector<std::uint32_t> begin, higher;
+};
+
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Pairs with at least one disc whose outer skin is wider than usual, sorted; the discs are sorted by cell.
-std::vector<Pair> find_swift_pairs(const Grid& grid, const State& state) {
+/// A counting sort: in a fast flow half of all discs are swift, and comparing would cost more than finding them.
+SwiftPairs file_pairs(const std::vector<Pair>& pairs, std::size_t discs) {
+    SwiftPairs filed;
+    filed.begin.assign(discs + 1, 0);
+    filed.higher.resize(pairs.size());
+    for (const auto& [low, high] : pairs) ++filed.begin[low + 1];
+    for (std::size_t p = 0; p < discs; ++p) filed.begin[p + 1] += filed.begin[p];
+    std::vector<std::uint32_t> next(filed.begin.begin(), filed.begin.end() - 1);
+    for (const auto& [low, high] : pairs) filed.higher[next[low]++] = high;
+    return filed;
+}
+
+/// The discs are sorted by cell. Two swift discs find each other once, from the lower position.
+SwiftPairs find_swift_pairs(const Grid& grid, const State& state) {
     const auto& disc = state.discs.disc;
     const auto& reference = state.pairs.reference;
     double widest = 0, largest = 0;
@@ -84,30 +114,29 @@ std::vector<Pair> find_swift_pairs(const Grid& grid, const State& state) {
     for (std::uint32_t i = 0; i < disc.size(); ++i) {
         if (reference[i].skin_m <= outer_skin_m) continue;
         const double reach = disc[i].radius_m + largest + reference[i].skin_m + widest;
-        const auto cells = static_cast<std::uint32_t>(reach * grid.inverse_size) + 1;
-        const std::uint32_t cx = grid.column(disc[i].x_m), cy = grid.row(disc[i].y_m);
-        const std::uint32_t row0 = cy - std::min(cy, cells), row1 = std::min(cy + cells, grid.rows - 1);
-        for (std::uint32_t x = cx - std::min(cx, cells); x <= std::min(cx + cells, grid.columns - 1); ++x) {
+        const std::uint32_t row0 = grid.row(disc[i].y_m - reach), row1 = grid.row(disc[i].y_m + reach);
+        for (std::uint32_t x = grid.column(disc[i].x_m - reach); x <= grid.column(disc[i].x_m + reach); ++x) {
             const std::uint32_t last = grid.begin[x * grid.rows + row1 + 1];
-            for (std::uint32_t n = grid.begin[x * grid.rows + row0]; n < last; ++n)
-                if (n != i && is_within(disc[i], disc[n], reference[i].skin_m + reference[n].skin_m))
-                    pairs.emplace_back(std::min(i, n), std::max(i, n));
+            for (std::uint32_t n = grid.begin[x * grid.rows + row0]; n < last; ++n) {
+                if (!is_within(disc[i], disc[n], reference[i].skin_m + reference[n].skin_m)) continue;
+                if (n > i)
+                    pairs.emplace_back(i, n);
+                else if (n < i && reference[n].skin_m <= outer_skin_m)
+                    pairs.emplace_back(n, i);
+            }
         }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());  // two swift discs find each other twice
-    return pairs;
+    return file_pairs(pairs, disc.size());
 }
 
 /// All pairs within their outer skins, sorted by i then j.
 void find_outer_pairs(const Grid& grid, State& state) {
     const auto& disc = state.discs.disc;
     const auto& reference = state.pairs.reference;
-    const std::vector<Pair> swift = find_swift_pairs(grid, state);
+    const SwiftPairs swift = find_swift_pairs(grid, state);
     auto& p = state.pairs;
     p.i.clear(), p.j.clear();
     std::vector<std::uint32_t> near;
-    std::size_t next_swift = 0;
     for (std::uint32_t i = 0; i < disc.size(); ++i) {
         near.clear();
         const std::uint32_t cx = grid.column(disc[i].x_m), cy = grid.row(disc[i].y_m);
@@ -120,11 +149,11 @@ void find_outer_pairs(const Grid& grid, State& state) {
                 if (is_within(disc[i], disc[n], 2 * outer_skin_m) && reference[n].skin_m <= outer_skin_m)
                     near.push_back(n);
         }
-        if (next_swift < swift.size() && swift[next_swift].first == i) {
-            for (; next_swift < swift.size() && swift[next_swift].first == i; ++next_swift)
-                near.push_back(swift[next_swift].second);
+        if (swift.begin[i] != swift.begin[i + 1]) {
+            near.insert(near.end(), swift.higher.begin() + swift.begin[i], swift.higher.begin() + swift.begin[i + 1]);
             std::sort(near.begin(), near.end());
         }
+        for (auto* list : {&p.i, &p.j}) reserve_closely(*list, list->size() + near.size());
         p.i.insert(p.i.end(), near.size(), i);
         p.j.insert(p.j.end(), near.begin(), near.end());
     }
@@ -179,19 +208,20 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
     const Disc* disc = state.discs.disc.data();
     const Reference* reference = p.inner_reference.data();
     const auto outer_count = static_cast<std::uint32_t>(p.i.size());
-    for (auto* list : {&work.i, &work.j, &work.slot_j, &work.next_inner}) list->resize(outer_count);
-    for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(outer_count);
     p.inner.push_back(outer_count);  // sentinels: never met
     p.tangential_m.push_back(0.0);
     const bool rolling_springs = !work.rolling_Nm.empty();
-    if (rolling_springs) work.rolling_Nm.push_back(0.0), work.next_rolling_Nm.resize(outer_count);
+    if (rolling_springs) work.rolling_Nm.push_back(0.0);
     std::size_t kept = 0, old = 0;
     for (Block& block : work.block) {
         block.pair_begin = static_cast<std::uint32_t>(kept);
+        const std::size_t most = kept + (block.outer_end - block.outer_begin);
+        for (auto* list : {&work.i, &work.j, &work.next_inner}) lengthen(*list, most);
+        for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) lengthen(*list, most);
+        if (rolling_springs) lengthen(work.next_rolling_Nm, most);
         for (std::uint32_t n = block.outer_begin; n < block.outer_end; ++n) {
             const bool was_listed = p.inner[old] == n;
             work.i[kept] = p.i[n], work.j[kept] = p.j[n];
-            work.slot_j[kept] = work.outer_slot_j[n];
             work.damping_Ns_m[kept] = work.outer_damping_Ns_m[n];
             work.next_inner[kept] = n;
             work.next_spring_m[kept] = was_listed ? p.tangential_m[old] : 0.0;
@@ -202,7 +232,7 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
         }
         block.pair_end = static_cast<std::uint32_t>(kept);
     }
-    for (auto* list : {&work.i, &work.j, &work.slot_j, &work.next_inner}) list->resize(kept);
+    for (auto* list : {&work.i, &work.j, &work.next_inner}) list->resize(kept);
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(kept);
     p.inner.swap(work.next_inner);
     p.tangential_m.swap(work.next_spring_m);
@@ -213,15 +243,14 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
 /// The inner list as it stands.
 void unpack_pairs(const State& state, DemWorkspace& work) {
     const auto& p = state.pairs;
-    for (auto* list : {&work.i, &work.j, &work.slot_j}) list->clear();
-    work.damping_Ns_m.clear();
+    for (auto* list : {&work.i, &work.j}) list->clear(), list->reserve(p.inner.size());
+    work.damping_Ns_m.clear(), work.damping_Ns_m.reserve(p.inner.size());
     std::size_t n = 0;
     for (Block& block : work.block) {
         block.pair_begin = static_cast<std::uint32_t>(n);
         for (; n < p.inner.size() && p.inner[n] < block.outer_end; ++n) {
             const std::uint32_t outer = p.inner[n];
             work.i.push_back(p.i[outer]), work.j.push_back(p.j[outer]);
-            work.slot_j.push_back(work.outer_slot_j[outer]);
             work.damping_Ns_m.push_back(work.outer_damping_Ns_m[outer]);
         }
         block.pair_end = static_cast<std::uint32_t>(n);
@@ -263,7 +292,7 @@ void update_lists(const DemConstants& k, State& state, DemWorkspace& work) {
 }
 
 void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
-    work.pair_kernel = choose_pair_kernel();
+    work.vector_width = vector_width(), work.pair_kernel = choose_pair_kernel();
     note_ids(state, work);
     work.rebuild_outer = work.refresh_inner = state.pairs.reference.empty();
     if (work.rebuild_outer) return;

@@ -11,12 +11,11 @@ namespace ifedem {
 /// A block's pairs as plain pointers: the kernels use no library code, see core/pack.hpp.
 struct PairBatch {
     const Disc* disc = nullptr;
-    const std::uint32_t *i = nullptr, *j = nullptr, *slot_j = nullptr;
+    const std::uint32_t *i = nullptr, *j = nullptr;
     const double* damping_Ns_m = nullptr;
     double* spring_m = nullptr;
-    double* rolling_Nm = nullptr;    ///< nullptr: Eq 2.18
-    DiscForce* force = nullptr;      ///< by slot
-    DiscForce* own_force = nullptr;  ///< of the block's own discs, i among them, by list position
+    double* rolling_Nm = nullptr;  ///< nullptr: Eq 2.18
+    DiscForce* force = nullptr;    ///< the block's, by list position
     std::uint32_t begin = 0, end = 0;
     double spring_step_s = 0;
 };
@@ -122,7 +121,7 @@ IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, s
     const auto f = pair_forces<R, double>(k, pair_motion<R>(sides), b.damping_Ns_m[n], old, b.spring_step_s);
     b.spring_m[n] = f.memory.spring;
     if constexpr (springs) b.rolling_Nm[n] = f.memory.rolling;
-    DiscForce &on_i = b.own_force[b.i[n]], &on_j = b.force[b.slot_j[n]];
+    DiscForce &on_i = b.force[b.i[n]], &on_j = b.force[b.j[n]];
     on_i.x_N -= f.x, on_i.y_N -= f.y, on_i.turning_N += f.turning;
     on_i.rolling_Nm += springs ? -f.rolling : f.rolling;
     on_j.x_N += f.x, on_j.y_N += f.y, on_j.turning_N += f.turning, on_j.rolling_Nm += f.rolling;
@@ -258,8 +257,8 @@ IFEDEM_INLINE void scatter(const PairBatch& b, std::uint32_t n, const PairForces
     to_records(ForceColumns<typename Pack<W>::Raw>{f.x.v, f.y.v, f.turning.v, f.rolling.v}, record);
     for (int lane = 0; lane < W; ++lane) {
         const std::uint32_t at = n + static_cast<std::uint32_t>(lane);
-        add_to_i<R>(b.own_force[b.i[at]], record[lane]);
-        add_to_j(b.force[b.slot_j[at]], record[lane]);
+        add_to_i<R>(b.force[b.i[at]], record[lane]);
+        add_to_j(b.force[b.j[at]], record[lane]);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dem/blocks.hpp"
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "step/convert.hpp"
@@ -92,7 +93,7 @@ void add_rolling_losses(const Scene& scene, const std::vector<Disc>& before, con
     for (std::size_t p = 0; p < before.size(); ++p) {
         const Disc& d = before[p];
         const double inertia = 0.5 * squared(d.radius_m) / d.inverse_mass_1_kg;
-        const double free = d.omega_rad_s + dt / inertia * (d.radius_m * work.force[work.force_slot[p]].turning_N);
+        const double free = d.omega_rad_s + dt / inertia * (d.radius_m * force_on(work, p).turning_N);
         const double omega = after.discs.disc[p].omega_rad_s;
         flow.lost_rolling_W += (free - omega) * inertia / dt * 0.5 * (d.omega_rad_s + omega);
     }

@@ -10,6 +10,7 @@
 
 #include "core/bitmath.hpp"
 #include "core/random.hpp"
+#include "dem/blocks.hpp"
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "step/scene.hpp"
@@ -109,9 +110,7 @@ inline std::size_t position_of(const World& w, std::uint32_t id) {
 inline const Disc& disc_of(const World& w, std::uint32_t id) { return w.state.discs.disc[position_of(w, id)]; }
 
 /// The force on a disc at the last evaluation.
-inline const DiscForce& force_on(const World& w, std::size_t position) {
-    return w.work.dem.force[w.work.dem.force_slot[position]];
-}
+inline const DiscForce& force_on(const World& w, std::size_t position) { return force_on(w.work.dem, position); }
 
 /// `count` discs of 2 to 3 mm, none overlapping by more than a tenth of a radius, in a box of about `fill` of their
 /// area.
