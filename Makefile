@@ -41,7 +41,13 @@ test: build ## unit, verification, stability, determinism and reliability tests
 test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
 	@tests/determinism/run_matrix.sh $(MATRIX)
 
-.PHONY: test-reliability test-privileged test-tsan fuzz check-pages docs
+.PHONY: test-all test-reliability test-privileged test-tsan fuzz check-pages docs
+# Each in turn, all of them whatever fails, and one line a part at the end.
+ALL_TESTS := test test-determinism test-reliability test-privileged sanitize test-tsan fuzz quick-chapter2 quick-chapter3 quick-chapter4 quick-chapter5 verify-reports check-pages
+test-all: ## everything that can be tested, in two hours or so: what CI leaves out too
+	@failed=; for t in $(ALL_TESTS); do $(MAKE) --no-print-directory $$t || failed="$$failed $$t"; done; \
+	for t in $(ALL_TESTS); do case " $$failed " in *" $$t "*) echo "FAILED  $$t";; *) echo "passed  $$t";; esac; done; [ -z "$$failed" ]
+
 test-reliability: build ## kill, stop, damage, fill: build/reliability.csv (ten minutes)
 	@cmake --build $(BUILD) --target tests_reliability -j $(JOBS)
 	@echo "fault,tried,survived" > $(BUILD)/reliability.csv

@@ -176,8 +176,8 @@ void measure_biaxial(Output& out, Effort effort) {
     out.write_table("biaxial_curves.csv", "alpha,strain_percent,stress_ratio,volumetric_percent", curves);
     out.write_table("biaxial.csv", "alpha,peak_deg,peak_s,end_deg,end_s,dilatancy_deg,dilatancy_s,secant_MPa,secant_s",
                     rows);
-    out.add("sand_friction_rise", paired(peaks.front(), peaks[levels.size() == 4 ? 2 : 1]), "deg",
-            "peak friction angle at α = 1 less that at α = 0, seed by seed");
+    out.add_difference("sand_friction_rise", paired(peaks.front(), peaks[levels.size() == 4 ? 2 : 1]), "deg",
+                       "peak friction angle at α = 1 less that at α = 0, seed by seed");
 }
 
 struct Compression {
@@ -232,7 +232,17 @@ void measure_confined_sand(Output& out, Effort effort) {
 
 }  // namespace
 
-double confined_modulus_Pa(int seed) { return compress(seed, size_of(Effort::quick)).secant_Pa(); }
+ElasticConstants elastic_constants(int seed) {
+    const SampleSize size = size_of(Effort::quick);
+    const double confined_Pa = compress(seed, size).secant_Pa();
+    Cell cell = make_cell(seed, size.discs);
+    consolidate(cell, lateral_Pa, size.steps);
+    const double biaxial_Pa = read_strength(shear(cell, 1, 0.05)).secant_Pa;
+    // Confined: E (1 − ν)/((1 + ν)(1 − 2ν)). Biaxial in plane strain: E/(1 − ν²). Their ratio gives ν.
+    const double ratio = biaxial_Pa / confined_Pa;
+    const double poisson = ratio < 1 ? (std::sqrt(1 - ratio) - (1 - ratio)) / ratio : 0.0;
+    return {biaxial_Pa * (1 - poisson * poisson), poisson};
+}
 
 void measure_sand(Output& out, Effort effort) {
     measure_confined_sand(out, effort);

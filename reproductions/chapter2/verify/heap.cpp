@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "check/trend.hpp"
 #include "dem/bed.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "sand.hpp"
@@ -127,16 +128,14 @@ void measure_heap(Output& out, Effort effort) {
             angles.push_back(at_level);
         }
         const std::string what = "angle at the highest level less that at the lowest, seed by seed";
-        out.add(std::string("repose_change_") + sweep.name, paired(angles.front(), angles.back()), "deg", what);
-        double smallest_step = 1e9;
-        for (std::size_t k = 1; k < angles.size(); ++k) {
-            double step = 0;
-            for (const double d : paired(angles[k - 1], angles[k])) step += d / seeds;
-            smallest_step = std::min(smallest_step, step);
-        }
-        if (full && (sweep.member == &Heap::friction || sweep.member == &Heap::rolling))
-            out.add(std::string("repose_smallest_rise_") + sweep.name, smallest_step, "deg",
-                    "smallest rise of the mean angle from one level to the next");
+        out.add_difference(std::string("repose_change_") + sweep.name, paired(angles.front(), angles.back()), "deg",
+                           what);
+        if (!full || (sweep.member != &Heap::friction && sweep.member != &Heap::rolling)) continue;
+        ValuesBySlip by_level;
+        for (std::size_t k = 0; k < angles.size(); ++k) by_level[sweep.levels[k]] = angles[k];
+        const TrendResult trend = judge_monotonic(trend_points(by_level, pool(by_level)), 1);
+        out.add(std::string("repose_departure_") + sweep.name, trend.error_over_tolerance.value_or(INFINITY), "-",
+                "largest departure of a level from the isotonic fit, over its U");
     }
     out.write_table("repose.csv", "sweep,level,angle_deg", rows);
     out.write_table("heaps.csv", "heap,x_m,y_m,radius_m", shape);

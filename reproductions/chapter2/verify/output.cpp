@@ -12,7 +12,7 @@ namespace ifedem::chapter2 {
 Output::Output(std::string directory) : directory_(std::move(directory)) {}
 
 void Output::add(const std::string& name, double value, const std::string& units, const std::string& note) {
-    lines_ += csv_line({name, fmt::format("{:.9g}", value), units, "0", "1", note});
+    lines_ += csv_line({name, fmt::format("{:.9g}", value), units, "0", "1", note, ""});
     fmt::print("{:<44} {:>14.8g} {}\n", name, value, units);
 }
 
@@ -20,8 +20,18 @@ void Output::add(const std::string& name, std::span<const double> values, const 
                  const std::string& note) {
     const double middle = mean(values), scatter = standard_deviation(values);
     lines_ += csv_line({name, fmt::format("{:.9g}", middle), units, fmt::format("{:.6g}", scatter),
-                        std::to_string(values.size()), note});
+                        std::to_string(values.size()), note, ""});
     fmt::print("{:<44} {:>14.8g} {} (s {:.3g}, n {})\n", name, middle, units, scatter, values.size());
+}
+
+void Output::add_difference(const std::string& name, std::span<const double> values, const std::string& units,
+                            const std::string& note) {
+    const std::vector<double> zero(values.size(), 0.0);
+    const PairedDifference d = paired_difference(zero, values);
+    const double scatter = standard_deviation(values);
+    lines_ += csv_line({name, fmt::format("{:.9g}", d.mean), units, fmt::format("{:.6g}", scatter), std::to_string(d.n),
+                        note, fmt::format("{:.6g}", d.half_width)});
+    fmt::print("{:<44} {:>14.8g} {} (± {:.3g}, s {:.3g}, n {})\n", name, d.mean, units, d.half_width, scatter, d.n);
 }
 
 void Output::write_table(const std::string& file, const std::string& header,
@@ -32,7 +42,7 @@ void Output::write_table(const std::string& file, const std::string& header,
 }
 
 void Output::finish() const {
-    write_text(directory_ + "/measurements.csv", "name,value,units,scatter,n,note\n" + lines_);
+    write_text(directory_ + "/measurements.csv", "name,value,units,scatter,n,note,uncertainty\n" + lines_);
 }
 
 std::string number(double value) { return format_number(value); }

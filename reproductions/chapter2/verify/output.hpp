@@ -8,7 +8,7 @@ namespace ifedem::chapter2 {
 enum class Effort { quick, full };  ///< quick: fewer realisations and levels, for continuous integration
 
 /// What a topic leaves in its directory: tables for figures, and measurements.csv for claims
-/// (name,value,units,scatter,n,note).
+/// (name,value,units,scatter,n,note,uncertainty).
 class Output {
 public:
     explicit Output(std::string directory);
@@ -18,6 +18,10 @@ public:
     /// A mean over realisations.
     void add(const std::string& name, std::span<const double> values, const std::string& units,
              const std::string& note = "");
+    /// Differences between two variants, realisation by realisation: their uncertainty is the 95 % half-width of the
+    /// mean, since no further realisation is compared with it.
+    void add_difference(const std::string& name, std::span<const double> values, const std::string& units,
+                        const std::string& note = "");
     /// Writes a table now. Every row has as many cells as the header.
     void write_table(const std::string& file, const std::string& header,
                      const std::vector<std::vector<std::string>>& rows) const;

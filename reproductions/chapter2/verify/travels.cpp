@@ -82,31 +82,43 @@ void compare_methods(Output& out, const Results& results) {
                                 number(standard_deviation(values)), std::to_string(values.size())});
             }
         const std::string note = "|R|/W at the highest slip less that at the lowest, by realisation";
-        out.add(std::string("resistance_change_sum_") + method,
-                change_of_resistance(by_slip->second, &RunMetrics::direct_resistance_N), "-",
-                "R = Σf_x⁻ (Eq 2.14): " + note);
-        out.add(std::string("resistance_change_torque_") + method,
-                change_of_resistance(by_slip->second, &RunMetrics::motion_resistance_N), "-",
-                "R = P_d − T/r_e (Eqs 3.5–3.7): " + note);
+        out.add_difference(std::string("resistance_change_sum_") + method,
+                           change_of_resistance(by_slip->second, &RunMetrics::direct_resistance_N), "-",
+                           "R = Σf_x⁻ (Eq 2.14): " + note);
+        out.add_difference(std::string("resistance_change_torque_") + method,
+                           change_of_resistance(by_slip->second, &RunMetrics::motion_resistance_N), "-",
+                           "R = P_d − T/r_e (Eqs 3.5–3.7): " + note);
     }
     out.write_table("methods.csv", "method,quantity,slip_percent,mean,scatter,n", rows);
     const auto &pid = results.at("pid").rbegin()->second, &prescribed = results.at("prescribed").rbegin()->second;
-    out.add("prescribed_less_pid_H", difference(pid, prescribed, &RunMetrics::gross_tractive_effort_N), "N",
-            "H, slip 60 %, paired");
-    out.add("prescribed_less_pid_Pd", difference(pid, prescribed, &RunMetrics::net_traction_N), "N",
-            "P_d, slip 60 %, paired");
+    out.add_difference("prescribed_less_pid_H", difference(pid, prescribed, &RunMetrics::gross_tractive_effort_N), "N",
+                       "H, slip 60 %, paired");
+    out.add_difference("prescribed_less_pid_Pd", difference(pid, prescribed, &RunMetrics::net_traction_N), "N",
+                       "P_d, slip 60 %, paired");
 }
 
 void compare_variants(Output& out, const Results& results) {
     const auto& base = results.at("pid").at(60);
+    std::vector<std::vector<std::string>> rows;
+    for (const char* variant : {"pid", "walls", "light"}) {
+        const auto found = results.find(variant);
+        if (found == results.end()) continue;
+        for (const auto& [realisation, m] : found->second.at(60))
+            rows.push_back({variant, std::to_string(realisation), number(m.gross_tractive_effort_N),
+                            number(m.net_traction_N), number(m.motion_resistance_N), number(m.sinkage_cm),
+                            number(m.bounce_N), number(m.bounce_Hz)});
+    }
+    out.write_table("variants.csv", "variant,realisation,H_N,P_d_N,R_N,z_cm,bounce_N,bounce_Hz", rows);
     for (const char* variant : {"walls", "light"}) {
         const auto found = results.find(variant);
         if (found == results.end()) continue;
         const auto& runs = found->second.at(60);
         const std::string less = std::string(variant) + "_less_base_";
-        out.add(less + "H", difference(base, runs, &RunMetrics::gross_tractive_effort_N), "N", "slip 60 %, paired");
-        out.add(less + "Pd", difference(base, runs, &RunMetrics::net_traction_N), "N", "slip 60 %, paired");
-        out.add(less + "z", difference(base, runs, &RunMetrics::sinkage_cm), "cm", "slip 60 %, paired");
+        out.add_difference(less + "H", difference(base, runs, &RunMetrics::gross_tractive_effort_N), "N",
+                           "slip 60 %, paired");
+        out.add_difference(less + "Pd", difference(base, runs, &RunMetrics::net_traction_N), "N", "slip 60 %, paired");
+        out.add_difference(less + "bounce", difference(base, runs, &RunMetrics::bounce_N), "N", "slip 60 %, paired");
+        out.add_difference(less + "z", difference(base, runs, &RunMetrics::sinkage_cm), "cm", "slip 60 %, paired");
     }
     out.add("base_H", values_of(base, &RunMetrics::gross_tractive_effort_N), "N", "small bin, PID, slip 60 %");
 }

@@ -1,5 +1,6 @@
 #include "core/bitmath.hpp"
 #include "maps.hpp"
+#include "support/growth.hpp"
 
 namespace ifedem::maps {
 namespace {
@@ -69,6 +70,55 @@ void map_passing(Output& out) {
                  "speed × step over radius at which the first disc passes a stiff surface");
 }
 
+/// A smooth disc that its weight presses into a corner of two faces, as between lug and tread (90°) or, nearly
+/// parallel, wedged between two lugs. Its faces are the walls', whose law is the wheel's.
+scene::World make_corner(double opening, double zeta, double step_s) {
+    constexpr double radius = 0.002, mass = 0.0032, overlap = 2e-5, K = scene::stiffness_N_m;
+    DemConstants k = scene::make_dem(scene::make_contact(K, 0.25 * K, 0.0), zeta, step_s);
+    const double half = 0.5 * opening;
+    k.flat_walls = {{{0, 0}, {-std::cos(half), std::sin(half)}}, {{0, 0}, {std::cos(half), std::sin(half)}}};
+    k.gravity_m_s2 = {0, -2 * K * overlap * std::sin(half) / mass};
+    return scene::make_world(k, {scene::make_disc({0, (radius - overlap) / std::sin(half)}, radius, mass)},
+                             Integrator::symplectic_euler);
+}
+
+/// Whether a small disturbance, along and across the bisector, grows a thousandfold.
+bool corner_grows(double opening, double zeta, double step_s) {
+    scene::World w = make_corner(opening, zeta, step_s);
+    constexpr double start = 1e-6;
+    Disc& d = w.state.discs.disc[0];
+    const Vec2 rest{d.x_m, d.y_m};
+    d.vx_m_s = start, d.vy_m_s = 0.9 * start;
+    for (int n = 0; n < 4000; ++n) {
+        scene::advance(w, 1);
+        const Disc& now = w.state.discs.disc[0];
+        if (!(norm(Vec2{now.x_m, now.y_m} - rest) < 1000 * start * step_s)) return true;
+    }
+    return false;
+}
+
+/// Both faces' springs act on the disc: the stiffer direction has K (1 + |cos β|), twice K where the faces are
+/// parallel.
+void map_corner(Output& out) {
+    std::string text = "opening_deg,zeta,predicted,measured\n";
+    const double unit = 2 * std::sqrt(0.0032 / scene::stiffness_N_m);
+    double worst = 0;
+    for (const double zeta : {0.05, 0.2, 0.7}) {
+        for (double degrees = 10; degrees < 175; degrees += out.effort == Effort::quick ? 40 : 10) {
+            const double opening = degrees * pi / 180, faces = std::sqrt(1 + std::fabs(std::cos(opening)));
+            const double predicted =
+                unit * largest_stable_phase(Integrator::symplectic_euler, zeta * faces) / (2 * faces);
+            const double measured = scene::measure_largest_step(
+                0.5 * predicted, 2 * predicted, [&](double dt) { return corner_grows(opening, zeta, dt); });
+            text += fmt::format("{},{},{:.5f},{:.5f}\n", degrees, zeta, predicted / unit, measured / unit);
+            worst = std::max(worst, std::fabs(measured / predicted - 1));
+        }
+        text += "\n";
+    }
+    out.write("corner.csv", text);
+    out.measured("corner_limit_error", worst, "-", "largest |measured/predicted − 1| of a disc between two faces");
+}
+
 /// The frozen scene's limit as contacts stiffen against the elements under them.
 void map_ratio(Output& out) {
     Case base = scene::small_case();
@@ -120,6 +170,7 @@ void map_ratio(Output& out) {
 
 void map_coupling(Output& out) {
     map_passing(out);
+    map_corner(out);
     map_ratio(out);
 }
 

@@ -28,7 +28,7 @@ void map_contacts(Output& out);  ///< step against ζ and coordination, three in
 void map_elements(Output& out);  ///< part, mesh, ν; locking; inversion under load
 void map_control(Output& out);   ///< planes of the PID, hub node and rim, wind-up
 void map_rolling(Output& out);   ///< sign against limit
-void map_coupling(Output& out);  ///< disc through a segment, stiffness ratio
+void map_coupling(Output& out);  ///< disc through a segment, in a corner, stiffness ratio
 void map_scenes(Output& out);    ///< low gravity, slips, loads, bins
 void map_cost(Output& out);      ///< of the checks
 

@@ -1,0 +1,19 @@
+# Tractive effort against the bounce of the wheel for three variants. Strings: style, output, data.
+plot_size = "760,400"
+load style
+variants = "pid walls light"
+hues = earth_colour." ".mars_colour." ".other_colour
+name(k) = k == 1 ? "default" : k == 2 ? "walls of discs" : "rim and lugs of 1000 kg/m³"
+pick(k, c) = strcol(1) eq word(variants, k) ? column(c) : NaN
+set multiplot layout 1,2
+set key at graph 0.98,graph 0.98 right top
+set xlabel "bounce: amplitude of ΣF_y [N]"
+set ylabel "gross tractive effort H [N]"
+set xrange [0:*]
+set yrange [60:150]
+plot for [k=1:3] data using (pick(k,7)):3 with points pointtype 7 pointsize 0.7 linecolor rgb word(hues,k) title name(k)
+set xlabel "frequency of the bounce [Hz]"
+set xrange [4:11]
+unset key
+plot for [k=1:3] data using (pick(k,8)):3 with points pointtype 7 pointsize 0.7 linecolor rgb word(hues,k)
+unset multiplot
