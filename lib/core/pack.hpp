@@ -5,12 +5,6 @@
 // everything is inlined by force, since a shared out-of-line copy could be taken from the unit with the newest
 // instructions.
 #define IFEDEM_INLINE [[gnu::always_inline]] inline
-// A function that may only be called on processors with AVX2, whatever its translation unit is built for.
-#if defined(__x86_64__)
-#define IFEDEM_AVX2 [[gnu::target("avx2")]]
-#else
-#define IFEDEM_AVX2
-#endif
 // How wide vectors are passed to functions is no matter where none is called.
 #pragma GCC diagnostic ignored "-Wpsabi"
 

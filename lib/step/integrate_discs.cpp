@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/pack.hpp"
 #include "dem/skins.hpp"
+#include "step/move_fours.hpp"
 
 namespace ifedem {
 namespace {
@@ -34,42 +34,42 @@ void predict(Disc& d, const DiscAcceleration& a, double dt) {
     d.vx_m_s += dt * a.x_m_s2, d.vy_m_s += dt * a.y_m_s2, d.omega_rad_s += dt * a.angular_rad_s2;
 }
 
-/// Calls move(disc, its force, position). The search for discs that have left their skin rides along;
-/// ask_for_lists() then says which list is due.
+/// Calls move(disc, its force, position) from the block's disc `first` on. The search for discs that have left their
+/// skin rides along; ask_for_lists() then says which list is due.
 template <class F>
-IFEDEM_INLINE void move_all(State& state, const DemWorkspace& work, Block& block, const F& move) {
-    const DiscForce* force = work.force.data() + block.force_begin;  // a block's own slots come first, in disc order
+void move_discs(State& state, const DemWorkspace& work, Block& block, F&& move, std::uint32_t first = 0) {
+    const DiscForce* force = work.force.data() + block.force_begin + first;  // a block's own slots come first
     Disc* disc = state.discs.disc.data();
     const Reference* reference = state.pairs.inner_reference.data();
     bool moved = false;
-    for (std::uint32_t p = block.disc_begin; p < block.disc_end; ++p, ++force) {
+    for (std::uint32_t p = block.disc_begin + first; p < block.disc_end; ++p, ++force) {
         move(disc[p], *force, p);
         moved |= has_left(disc[p], reference[p]);
     }
     block.moved = moved;
 }
 
-template <class F>
-void move_plainly(State& state, const DemWorkspace& work, Block& block, const F& move) {
-    move_all(state, work, block, move);
-}
-
-/// The same operations one by one, in the newer encoding with three operands: fewer moves between registers.
-template <class F>
-IFEDEM_AVX2 void move_with_avx2(State& state, const DemWorkspace& work, Block& block, const F& move) {
-    move_all(state, work, block, move);
-}
-
-template <class F>
-void move_discs(State& state, const DemWorkspace& work, Block& block, const F& move) {
-    work.vector_width >= 4 ? move_with_avx2(state, work, block, move) : move_plainly(state, work, block, move);
+/// By fours as far as they go.
+std::uint32_t move_most(const DemConstants& k, State& state, const DemWorkspace& work, Block& block, bool& moved) {
+    if (work.vector_width < 4 || (k.rolling != RollingScheme::limit && !k.rolling_springs)) return 0;
+    MotionBatch batch;
+    batch.disc = state.discs.disc.data() + block.disc_begin;
+    batch.force = work.force.data() + block.force_begin;
+    batch.from = state.pairs.inner_reference.data() + block.disc_begin;
+    batch.spin_per_moment = work.spin_per_moment.data() + block.disc_begin;
+    batch.count = block.disc_end - block.disc_begin;
+    batch.step_s = k.step_s;
+    batch.fall_x_m_s = k.step_s * k.gravity_m_s2.x, batch.fall_y_m_s = k.step_s * k.gravity_m_s2.y;
+    batch.rolling_springs = k.rolling_springs;
+    moved = move_fours(batch);
+    return batch.count - batch.count % 4;
 }
 
 void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work, Block& block) {
     const double dt = k.step_s;
     const Vec2 fall = dt * k.gravity_m_s2;
-    const RollingScheme rolling = k.rolling;
-    const double* spin_per_moment = work.spin_per_moment.data();
+    bool moved = false;
+    const std::uint32_t done = move_most(k, state, work, block, moved);
     const auto travel = [=](Disc& d, const DiscForce& f) {
         const double impulse = dt * d.inverse_mass_1_kg;
         d.vx_m_s += impulse * f.x_N + fall.x;
@@ -78,17 +78,16 @@ void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspac
         d.y_m += dt * d.vy_m_s;
         d.angle_rad += dt * d.omega_rad_s;
     };
-    if (k.rolling_springs)
-        return move_discs(state, work, block, [=](Disc& d, const DiscForce& f, std::uint32_t p) {
-            d.omega_rad_s += spin_per_moment[p] * (d.radius_m * f.turning_N + f.rolling_Nm);
-            travel(d, f);
-        });
-    move_discs(state, work, block, [=](Disc& d, const DiscForce& f, std::uint32_t p) {
-        const double spin = spin_per_moment[p];
-        d.omega_rad_s = apply_rolling(rolling, d.omega_rad_s + spin * (d.radius_m * f.turning_N), d.omega_rad_s,
-                                      spin * f.rolling_Nm);
+    const double* spin_per_moment = work.spin_per_moment.data();
+    const auto turn = [&](Disc& d, const DiscForce& f, std::uint32_t p) {
+        const double spin = spin_per_moment[p], turning = d.radius_m * f.turning_N;
+        d.omega_rad_s = k.rolling_springs ? d.omega_rad_s + spin * (turning + f.rolling_Nm)
+                                          : apply_rolling(k.rolling, d.omega_rad_s + spin * turning, d.omega_rad_s,
+                                                          spin * f.rolling_Nm);
         travel(d, f);
-    });
+    };
+    move_discs(state, work, block, turn, done);
+    block.moved |= moved;
 }
 
 }  // namespace

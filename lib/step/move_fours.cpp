@@ -1,0 +1,77 @@
+#include "step/move_fours.hpp"
+
+#include "core/pack.hpp"
+
+namespace ifedem {
+namespace {
+
+using Four = RawVector<4>::Type;
+
+IFEDEM_INLINE Four load(const double* p) {
+    Four v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+IFEDEM_INLINE void store(double* p, Four v) { __builtin_memcpy(p, &v, sizeof v); }
+
+/// Rows of four records become columns, and columns rows.
+struct Rows {
+    Four a, b, c, d;
+};
+IFEDEM_INLINE Rows transpose(Rows r) {
+    const Four ab02 = __builtin_shufflevector(r.a, r.b, 0, 4, 2, 6),
+               ab13 = __builtin_shufflevector(r.a, r.b, 1, 5, 3, 7);
+    const Four cd02 = __builtin_shufflevector(r.c, r.d, 0, 4, 2, 6),
+               cd13 = __builtin_shufflevector(r.c, r.d, 1, 5, 3, 7);
+    return {__builtin_shufflevector(ab02, cd02, 0, 1, 4, 5), __builtin_shufflevector(ab13, cd13, 0, 1, 4, 5),
+            __builtin_shufflevector(ab02, cd02, 2, 3, 6, 7), __builtin_shufflevector(ab13, cd13, 2, 3, 6, 7)};
+}
+
+template <bool springs>
+IFEDEM_INLINE bool move_all(const MotionBatch& batch) {
+    const MotionBatch m = batch;
+    const Four dt = Four{} + m.step_s, fall_x = Four{} + m.fall_x_m_s, fall_y = Four{} + m.fall_y_m_s, zero{};
+    auto stays = zero == zero;
+    for (std::uint32_t p = 0; p + 4 <= m.count; p += 4) {
+        Disc* d = m.disc + p;
+        const DiscForce* f = m.force + p;
+        auto [x, y, vx, vy] = transpose({load(&d[0].x_m), load(&d[1].x_m), load(&d[2].x_m), load(&d[3].x_m)});
+        auto [omega, radius, inverse_mass, angle] = transpose(
+            {load(&d[0].omega_rad_s), load(&d[1].omega_rad_s), load(&d[2].omega_rad_s), load(&d[3].omega_rad_s)});
+        const auto [fx, turning, fy, rolling] =
+            transpose({load(&f[0].x_N), load(&f[1].x_N), load(&f[2].x_N), load(&f[3].x_N)});
+        const Four spin = load(m.spin_per_moment + p);
+        if constexpr (springs) {
+            omega = omega + spin * (radius * turning + rolling);
+        } else {
+            const Four free = omega + spin * (radius * turning);
+            const Four turned = -free, size = free > turned ? free : turned;
+            const Four rest = size - spin * rolling, slower = rest > zero ? rest : zero;
+            omega = free < zero ? -slower : slower;
+        }
+        const Four impulse = dt * inverse_mass;
+        vx = vx + (impulse * fx + fall_x), vy = vy + (impulse * fy + fall_y);
+        x = x + dt * vx, y = y + dt * vy, angle = angle + dt * omega;
+        const Rows first = transpose({x, y, vx, vy}), second = transpose({omega, radius, inverse_mass, angle});
+        store(&d[0].x_m, first.a), store(&d[1].x_m, first.b), store(&d[2].x_m, first.c), store(&d[3].x_m, first.d);
+        store(&d[0].omega_rad_s, second.a), store(&d[1].omega_rad_s, second.b);
+        store(&d[2].omega_rad_s, second.c), store(&d[3].omega_rad_s, second.d);
+        // x0 y0 s0 x1 | y1 s1 x2 y2 | s2 x3 y3 s3
+        const double* from = &m.from[p].x_m;
+        const Four u = load(from), v = load(from + 4), w = load(from + 8);
+        const Four from_x = __builtin_shufflevector(__builtin_shufflevector(u, v, 0, 3, 6, 6), w, 0, 1, 2, 5);
+        const Four from_y = __builtin_shufflevector(__builtin_shufflevector(u, v, 1, 4, 7, 7), w, 0, 1, 2, 6);
+        const Four skin = __builtin_shufflevector(__builtin_shufflevector(u, v, 2, 5, 5, 5), w, 0, 1, 4, 7);
+        const Four dx = x - from_x, dy = y - from_y;
+        stays &= dx * dx + dy * dy <= skin * skin;
+    }
+    return !(stays[0] && stays[1] && stays[2] && stays[3]);
+}
+
+}  // namespace
+
+bool move_fours(const MotionBatch& batch) {
+    return batch.rolling_springs ? move_all<true>(batch) : move_all<false>(batch);
+}
+
+}  // namespace ifedem
