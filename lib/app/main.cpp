@@ -19,6 +19,7 @@
 #include "app/watch.hpp"
 #include "check/check.hpp"
 #include "check/effects.hpp"
+#include "check/points.hpp"
 #include "check/report.hpp"
 #include "record/checkpoint.hpp"
 #include "record/compare.hpp"
@@ -149,6 +150,19 @@ void add_effects(CLI::App& app, EffectsArguments& a) {
     effects->callback([&] { write_effects(a.defaults, a.variants, a.output); });
 }
 
+void add_points(CLI::App& app, PointsRequest& request) {
+    auto* points = app.add_subcommand("points", "chart cost against error of variants: points.csv, figures and a page");
+    points->add_option("references", request.references_path, "references.csv: ledger rows to compare with")
+        ->required();
+    points->add_option("runs", request.run_dirs, "run directories, each named WHAT-…")->required();
+    points->add_option("--finest", request.finest, "the variant that errors are measured against")->required();
+    points->add_option("--default", request.plain, "the variant that the others differ from");
+    points->add_option("-o,--output", request.out_dir, "directory of points.csv and the page")->required();
+    points->add_option("--title", request.title, "title");
+    points->add_option("--command", request.command, "the command that made the page");
+    points->callback([&] { write_points(request); });
+}
+
 struct PictureArguments {
     std::string run, output;
     long frame = -1;
@@ -200,6 +214,8 @@ int run_program(int argc, char** argv) {
     add_picture(app, picture);
     EffectsArguments effects;
     add_effects(app, effects);
+    PointsRequest points;
+    add_points(app, points);
     app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
     std::string checkpoint_a, checkpoint_b;
     auto* compare = app.add_subcommand("compare", "the first difference between two checkpoints");

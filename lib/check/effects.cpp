@@ -25,15 +25,6 @@ bool is_partner(const MeasuredRun& candidate, const Run& variant) {
            a.wheel.lug_phase_deg == b.wheel.lug_phase_deg;
 }
 
-/// The text's window, or the same share of a shorter travel.
-Window window_of(const Case& c) {
-    if (c.record.stress_segments > 0) return averaging_window(c);
-    constexpr double full_travel_m = 0.8;
-    const double scale = std::min(1.0, c.travel.distance_m / full_travel_m);
-    const Window whole = averaging_window(c.travel.slip_percent);
-    return {scale * whole.from_m, scale * whole.to_m};
-}
-
 /// Runs of one variant under one condition, each beside its partner.
 struct Pairs {
     Condition condition;
@@ -145,7 +136,7 @@ std::vector<Effect> measure_effects(const std::vector<std::string>& default_dirs
         Pairs& pairs = found[variant][partner->condition];
         pairs.condition = partner->condition;
         pairs.changes = describe_changes(partner->run.c, run.c);
-        const Window window = window_of(run.c);
+        const Window window = compared_window(run.c);
         if (run.c.travel.distance_m < partner->run.c.travel.distance_m) pairs.window = window;
         pairs.variants.push_back(measure(run, window));
         pairs.defaults.push_back(measure(partner->run, window));

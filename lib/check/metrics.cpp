@@ -66,6 +66,14 @@ Window averaging_window(const Case& c) {
     return {c.record.stress_from_x_m - c.travel.start_x_m, c.record.stress_to_x_m - c.travel.start_x_m};
 }
 
+Window compared_window(const Case& c) {
+    if (c.record.stress_segments > 0) return averaging_window(c);
+    constexpr double full_travel_m = 0.8;
+    const double scale = std::min(1.0, c.travel.distance_m / full_travel_m);
+    const Window whole = averaging_window(c.travel.slip_percent);
+    return {scale * whole.from_m, scale * whole.to_m};
+}
+
 double lug_pair_pitch_m(const Case& c) {
     if (c.wheel.lug_pairs == 0) return 0;
     return 2 * pi * slip_radius_m(c) / static_cast<double>(c.wheel.lug_pairs) * (1 - c.travel.slip_percent / 100);

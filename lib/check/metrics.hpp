@@ -22,6 +22,9 @@ struct Window {
 /// That, or the places between which the case averages contact stress (chapter 4: 0.9–1.2 m from the bin's left edge).
 [[nodiscard]] Window averaging_window(const Case& c);
 
+/// That, or the same share of a shorter travel: what variants are compared over.
+[[nodiscard]] Window compared_window(const Case& c);
+
 /// Travel while one pair of lugs passes: (2πr/pairs)(1 − i), with the radius r that the commanded slip uses; 0 for a
 /// smooth tread.
 [[nodiscard]] double lug_pair_pitch_m(const Case& c);
