@@ -15,7 +15,7 @@ SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 export JOBS IFEDEM
 
-.PHONY: help setup build test test-determinism bench bench-peers causes-chapter3 verify-reports check sanitize sanitize-unit clean
+.PHONY: help setup build test test-determinism bench bench-peers speed-accuracy quick-speed-accuracy causes-chapter3 verify-reports check sanitize sanitize-unit clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -43,7 +43,7 @@ test-determinism: build ## one hash for compilers, optimisation levels, threads 
 
 .PHONY: test-all test-reliability test-privileged test-tsan fuzz check-pages docs
 # Each in turn, all of them whatever fails, and one line a part at the end.
-ALL_TESTS := test test-determinism test-reliability test-privileged sanitize test-tsan fuzz quick-chapter2 quick-chapter3 quick-chapter4 quick-chapter5 verify-reports check-pages
+ALL_TESTS := test test-determinism test-reliability test-privileged sanitize test-tsan fuzz quick-chapter2 quick-chapter3 quick-chapter4 quick-chapter5 quick-speed-accuracy verify-reports check-pages
 test-all: ## everything that can be tested, in two hours or so: what CI leaves out too
 	@failed=; for t in $(ALL_TESTS); do $(MAKE) --no-print-directory $$t || failed="$$failed $$t"; done; \
 	for t in $(ALL_TESTS); do case " $$failed " in *" $$t "*) echo "FAILED  $$t";; *) echo "passed  $$t";; esac; done; [ -z "$$failed" ]
@@ -94,6 +94,12 @@ quick-chapter%: build ## the same machinery on short runs, under two minutes
 
 sensitivity-chapter%: build ## what each choice that the text leaves open does to the results
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk sensitivity
+
+speed-accuracy: build ## chart of cost against error, 200 points of chapter 3 (three CPU hours, resumable): build/reports/speed_accuracy/
+	@$(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk speed-accuracy
+
+quick-speed-accuracy: build ## the same machinery on a small bin, two minutes
+	@$(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk QUICK=1 speed-accuracy
 
 causes-chapter3: build ## the runs behind "Causes" in chapter 3's README
 	@$(MAKE) --no-print-directory -j$(JOBS) -f reproductions/chapter3/causes.mk causes

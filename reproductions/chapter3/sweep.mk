@@ -52,5 +52,5 @@ sweep: $(INPUTS)
 	$(IFEDEM) watch $(addprefix $(OUT)/,$(RUNS)) & watcher=$$!; \
 	trap 'kill $$runs $$watcher 2> /dev/null; wait; echo "stopped; the same command goes on"; exit 130' INT TERM; \
 	wait $$runs; status=$$?; kill $$watcher 2> /dev/null; \
-	for r in $(RUNS); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] || { echo "failed: $$r (log: $(OUT)/logs/$$r.log)"; tail -n 2 $(OUT)/logs/$$r.log 2> /dev/null; }; done; \
+	for r in $(RUNS); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] || [ $(OUT)/$$r/ended -nt $(INPUTS) ] || { echo "failed: $$r (log: $(OUT)/logs/$$r.log)"; tail -n 2 $(OUT)/logs/$$r.log 2> /dev/null; }; done; \
 	exit $$status
