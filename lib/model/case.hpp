@@ -198,6 +198,9 @@ struct Override {
 /// The case as TOML with every key written out; reads back to the same values to the last bit.
 [[nodiscard]] std::string to_toml(const Case& c);
 
+/// What `to` sets otherwise than `from`: key and TOML value, in the order in which a case is written.
+[[nodiscard]] std::vector<Override> list_changes(const Case& from, const Case& to);
+
 /// The manual of keys: name, unit, default, range, what it means.
 [[nodiscard]] std::string describe_keys();
 

@@ -51,6 +51,16 @@ std::string to_toml(const Case& c) {
     return text;
 }
 
+std::vector<Override> list_changes(const Case& from, const Case& to) {
+    Case before = from, after = to;
+    std::vector<Override> changes;
+    for (const Key& key : case_keys()) {
+        const std::string value = write_value(key.slot(after));
+        if (value != write_value(key.slot(before))) changes.push_back({std::string(key.name), value});
+    }
+    return changes;
+}
+
 std::string to_toml_subset(const Case& c, const std::vector<std::string>& keys_or_tables) {
     Case values = c;
     for (const std::string& wanted : keys_or_tables) {
