@@ -142,11 +142,8 @@ bool accept_step(LiveRun& run, const Scene& scene, const HealthWatch& watch) {
 /// The same for what the case alone says, before anything is written.
 void refuse_unstable_case(const LiveRun& run) {
     if (run.request.unstable_step == UnstableStep::allow) return;
-    for (const Stage stage : {Stage::consolidation, Stage::travel}) {
-        const auto limits = find_case_limits(make_scene(run.c, stage));
-        if (const StepLimit* worst = find_worst(limits, run.c.time_step_s, Among::certain))
-            fail_input(explain_excess(*worst, run.c.time_step_s) + " --allow-unstable runs it all the same.");
-    }
+    if (const auto worst = find_certain_excess(run.c))
+        fail_input(explain_excess(*worst, run.c.time_step_s) + " --allow-unstable runs it all the same.");
 }
 
 /// Steps through one stage. False: stopped by a signal or a health check.

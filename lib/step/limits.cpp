@@ -234,6 +234,14 @@ const StepLimit* find_worst(const std::vector<StepLimit>& limits, double step_s,
     return worst;
 }
 
+std::optional<StepLimit> find_certain_excess(const Case& c) {
+    for (const Stage stage : {Stage::consolidation, Stage::travel}) {
+        const auto limits = find_case_limits(make_scene(c, stage));
+        if (const StepLimit* worst = find_worst(limits, c.time_step_s, Among::certain)) return *worst;
+    }
+    return std::nullopt;
+}
+
 std::string describe_limits(const std::vector<StepLimit>& limits, double step_s) {
     std::string text;
     for (const StepLimit& l : limits) {

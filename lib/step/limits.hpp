@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct ControlledInertia {
 /// passes over safe ones.
 enum class Among { certain, all };
 [[nodiscard]] const StepLimit* find_worst(const std::vector<StepLimit>& limits, double step_s, Among among);
+
+/// The worst certain limit that the case's own time_step_s exceeds in any stage, by what follows from the case alone.
+[[nodiscard]] std::optional<StepLimit> find_certain_excess(const Case& c);
 
 /// "0.157 of 2.556e-04 s  contacts, certain: an isolated pair of the smallest discs", a line each.
 [[nodiscard]] std::string describe_limits(const std::vector<StepLimit>& limits, double step_s);

@@ -1,6 +1,7 @@
 #include "step/stages.hpp"
 
 #include "core/hash.hpp"
+#include "step/scene.hpp"
 
 namespace ifedem {
 
@@ -32,6 +33,16 @@ std::string stage_hash(const Case& c, Stage stage, int results_version) {
     if (stage == Stage::travel) keys.insert(keys.end(), {"travel", "record"});
     h.add(to_toml_subset(c, keys));
     return to_hex(h.value());
+}
+
+double count_disc_steps(const Case& c) {
+    const std::int64_t levelled = c.bed.levelled_count > 0 ? c.bed.levelled_count : c.bed.disc_count;
+    double sum = 0;
+    for (const Stage stage : {Stage::consolidation, Stage::sinkage, Stage::travel}) {
+        const std::int64_t discs = stage == Stage::consolidation ? c.bed.disc_count : levelled;
+        sum += static_cast<double>(discs) * static_cast<double>(steps_of_stage(c, stage));
+    }
+    return sum;
 }
 
 }  // namespace ifedem
