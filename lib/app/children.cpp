@@ -1,6 +1,7 @@
 #include "app/children.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -68,5 +69,10 @@ std::vector<int> run_children(const std::vector<std::vector<std::string>>& calls
 }
 
 int signal_of_children() { return signal_seen; }
+
+int report_signal() {
+    fmt::print(stderr, "stopped by signal {}; the same command goes on\n", signal_of_children());
+    return 128 + signal_of_children();
+}
 
 }  // namespace ifedem

@@ -12,4 +12,7 @@ namespace ifedem {
 /// The signal that run_children() met, 0 if none.
 [[nodiscard]] int signal_of_children();
 
+/// Says that the same command goes on; returns 128 + that signal, for the shell.
+[[nodiscard]] int report_signal();
+
 }  // namespace ifedem

@@ -7,6 +7,8 @@
 #include <map>
 
 #include "app/confined.hpp"
+#include "app/doubt.hpp"
+#include "app/fit.hpp"
 #include "app/metrics_table.hpp"
 #include "app/picture.hpp"
 #include "app/run_case.hpp"
@@ -111,6 +113,42 @@ void add_sweep(CLI::App& app, SweepRequest& request, std::vector<std::string>& s
     });
 }
 
+/// What doubt and fit have in common.
+template <class Request>
+void add_comparison(CLI::App& command, Request& request, std::vector<std::string>& sets) {
+    command.add_option("case", request.case_path, "case file (TOML)")->required();
+    command.add_option("--quantities", request.quantities, "H,Pd,R,z or names of `ifedem metrics`");
+    command.add_option("--tolerance", request.tolerance, "share of a quantity that does not matter: 5%");
+    command.add_option("--n", request.realisations, "realisations (packing and lug phase) of each variant");
+    command.add_option("--jobs", request.options.jobs, "runs at the same time")->check(CLI::Range(1, 1024));
+    command.add_option("--set", sets, "override a key: table.key=value")->take_all();
+    command.add_option("--stages", request.options.stage_cache, "cache of finished stages");
+}
+
+void add_doubt(CLI::App& app, DoubtRequest& request, std::vector<std::string>& sets, int& code) {
+    auto* doubt =
+        app.add_subcommand("doubt", "what moves with twice the depth, length and resolution, or half the step");
+    add_comparison(*doubt, request, sets);
+    doubt->add_option("-o,--output", request.directory, "directory of the runs and doubt.csv")->required();
+    doubt->callback([&] {
+        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
+        code = run_doubt(request);
+    });
+}
+
+void add_fit(CLI::App& app, FitRequest& request, std::vector<std::string>& sets, int& code) {
+    auto* fit = app.add_subcommand("fit", "the least model with the same quantities within a tolerance");
+    add_comparison(*fit, request, sets);
+    fit->add_option("-o,--output", request.output, "the smaller case (.toml); its log and runs go beside it")
+        ->required();
+    fit->add_option("--evidence", request.evidence, "shown: |difference| + half-width within it; mean: |difference|");
+    fit->add_option("--only", request.reductions, "what may be less, in order: step,depth,behind,ahead,mesh");
+    fit->callback([&] {
+        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
+        code = run_fit(request);
+    });
+}
+
 struct CheckArguments {
     std::string claims, output;
     std::vector<std::string> runs;
@@ -209,6 +247,12 @@ int run_program(int argc, char** argv) {
     SweepRequest sweep;
     std::vector<std::string> sweep_sets;
     add_sweep(app, sweep, sweep_sets, code);
+    DoubtRequest doubt;
+    std::vector<std::string> doubt_sets;
+    add_doubt(app, doubt, doubt_sets, code);
+    FitRequest fit;
+    std::vector<std::string> fit_sets;
+    add_fit(app, fit, fit_sets, code);
     add_check_and_report(app, check, code);
     PictureArguments picture;
     add_picture(app, picture);

@@ -85,10 +85,7 @@ int run_sweep(const SweepRequest& request) {
     fs::create_directories(request.directory);
     const DirectoryLock lock(request.directory, Busy::refuse);
     const std::vector<int> status = make_runs(runs, {request.stage_cache, request.jobs});
-    if (signal_of_children() != 0) {
-        fmt::print(stderr, "stopped by signal {}; the same command goes on\n", signal_of_children());
-        return 128 + signal_of_children();
-    }
+    if (signal_of_children() != 0) return report_signal();
     int worst = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         points[k].status = status[k];
