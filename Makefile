@@ -95,10 +95,10 @@ quick-chapter%: build ## the same machinery on short runs, under two minutes
 sensitivity-chapter%: build ## what each choice that the text leaves open does to the results
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk sensitivity
 
-speed-accuracy: build ## chart of cost against error, 200 points of chapter 3 (three CPU hours, resumable): build/reports/speed_accuracy/
+speed-accuracy: build ## chart of cost against error, 240 points of chapter 3 (200 CPU min, resumable): build/reports/speed_accuracy/
 	@$(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk speed-accuracy
 
-quick-speed-accuracy: build ## the same machinery on a small bin, two minutes
+quick-speed-accuracy: build ## the same machinery on a small bin, under a minute
 	@$(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk QUICK=1 speed-accuracy
 
 causes-chapter3: build ## the runs behind "Causes" in chapter 3's README

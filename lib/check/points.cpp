@@ -128,9 +128,9 @@ const Trial& find_partner(const Trials& trials, const std::string& variant, cons
     });
     if (found == trials.end())
         fail_input(
-            fmt::format("{} has no finished run of variant '{}' with its planet, load, slip, seed and lug phase. "
-                        "Run it.",
-                        of.c.name, variant));
+            fmt::format("'{}' at slip {:g} %, seed {}: there is no finished run of variant '{}' with the same "
+                        "planet, load, slip, seed and lug phase. Run it.",
+                        of.variant, of.c.travel.slip_percent, of.c.bed.seed, variant));
     return *found;
 }
 

@@ -3,7 +3,7 @@
 # a travel that was interrupted goes on from its checkpoint.
 #   $(OUT)/inputs.txt     all that the runs depend on
 #   $(OUT)/ready/NAME     an empty file: this bed or sunk wheel is in the stage cache
-#   $(OUT)/NAME/run.csv   a finished travel
+#   $(OUT)/NAME/run.csv   a finished travel; an includer whose runs may be stopped by a health check writes NAME/ended for both
 #   $(OUT)/logs/NAME.log  what the program said on its error stream
 
 include $(CHAPTER)/realisations.mk

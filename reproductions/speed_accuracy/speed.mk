@@ -8,16 +8,19 @@ HERE    := reproductions/speed_accuracy
 SWEEP   := $(HERE)/speed.mk
 FINEST  := step0.25
 
-# WHAT: --set arguments, and its work as a share of the default's for the estimate (disc-steps; modified Euler, elastic rims and
-# finer meshes with what a step costs more).
+# WHAT: --set arguments, and its work as a share of the default's for the estimate (disc-steps, 0 where the end comes soon; modified
+# Euler, elastic rims, elements and finer meshes with what a step costs more).
 step_set = --set time_step_s=$(1)
 set_step0.25   := $(call step_set,1e-5)
 set_step0.5    := $(call step_set,2e-5)
+set_step1.5    := $(call step_set,6e-5)
 set_step2      := $(call step_set,8e-5)
-set_step3      := $(call step_set,1.2e-4)
-set_step4      := $(call step_set,1.6e-4)
-set_step5      := $(call step_set,2e-4)
-# Beyond the limit of an isolated pair, 2.1e-4 s: run all the same, to show the end.
+set_step2.25   := $(call step_set,9e-5)
+# Beyond limits that are certain: a sunk bed as it stands (near 1e-4 s), then the wheel's elements (1.5e-4 s), then an isolated pair of
+# discs (2.1e-4 s). Run all the same, to show the end.
+set_step3      := $(call step_set,1.2e-4) --allow-unstable
+set_step4      := $(call step_set,1.6e-4) --allow-unstable
+set_step5      := $(call step_set,2e-4) --allow-unstable
 set_step6      := $(call step_set,2.4e-4) --allow-unstable
 set_euler1     := --set integrator=modified-euler-one
 set_euler2     := --set integrator=modified-euler-two
@@ -32,26 +35,36 @@ set_discs1.5   := --set soil.radii_m=[0.003,0.00375,0.0045] --set bed.disc_count
 set_discs2     := --set soil.radii_m=[0.004,0.005,0.006] --set bed.disc_count=4867
 set_depth0.5   := --set bed.disc_count=9734
 set_depth0.75  := --set bed.disc_count=14601
+# Half the bed's height as elements under the discs, with the elastic constants of this sand (chapter 2: 0.71 MPa and 0.04) and the
+# density of its bulk.
+soil_elements = --set elements.columns=$(1) --set elements.rows=1 --set elements.block_height_m=$(2) \
+                --set elements.material.young_Pa=0.71e6 --set elements.material.poisson=0.04 --set contact.friction_elements=0.6
+set_elements0.5 := $(call soil_elements,10,0.135) --set bed.disc_count=9734
 # Three quarters of the bin end 0.275 m beyond a travel of 0.5 m; the window is the same share of it.
 set_length0.75 := --set bed.length_m=1.125 --set bed.disc_count=14601 --set travel.distance_m=0.5
-# The savings together.
+# The savings together. Discs twice as large bear twice the step, as far as the wheel's elements do.
+set_discs2_step3 := $(set_discs2) $(call step_set,1.2e-4)
 set_lean       := --set soil.radii_m=[0.003,0.00375,0.0045] --set bed.length_m=1.125 --set bed.disc_count=6489 \
                   --set travel.distance_m=0.5 $(call step_set,8e-5)
 
 WORK_default := 1
 WORK_step0.25 := 4
 WORK_step0.5 := 2
+WORK_step1.5 := 0.67
 WORK_step2 := 0.5
+WORK_step2.25 := 0.44
 WORK_step3 := 0.33
-WORK_step4 := 0.25
-WORK_step5 := 0.2
-WORK_step6 := 0.17
+WORK_step4 := 0
+WORK_step5 := 0
+WORK_step6 := 0
+WORK_discs2_step3 := 0.08
+WORK_elements0.5 := 0.6
 WORK_euler1 := 1.2
 WORK_euler2 := 2
 WORK_rigid := 1
 WORK_elastic := 3
 WORK_coarse := 1
-WORK_fine := 1.3
+WORK_fine := 1.5
 WORK_speed0.05 := 1.8
 WORK_speed0.2 := 0.6
 WORK_discs1.5 := 0.44
@@ -65,8 +78,8 @@ WORK_lean := 0.11
 DEFAULT_BED := default rigid coarse fine speed0.05 speed0.2
 
 # Realisation by realisation, so that the variants take turns on the machine and its mood strikes all alike.
-VARIANTS := $(FINEST) default step2 step4 step6 discs2 depth0.5 rigid step0.5 step3 step5 discs1.5 depth0.75 length0.75 lean \
-            euler1 euler2 elastic coarse fine speed0.05 speed0.2
+VARIANTS := $(FINEST) default step2 discs2 depth0.5 rigid step0.5 step1.5 step2.25 step3 step4 step5 step6 discs1.5 depth0.75 \
+            elements0.5 length0.75 lean discs2_step3 euler1 euler2 elastic coarse fine speed0.05 speed0.2
 REALISATIONS := 1 2 3
 CASE   := $(CHAPTER)/cases/B3-earth.toml
 OUT    := build/runs/speed_accuracy
@@ -79,9 +92,9 @@ STAGES_S := 25
 
 ifdef QUICK
 FINEST := step0.5
-VARIANTS := $(FINEST) default step2 step6 small_bed
-set_small_bed := --set bed.disc_count=1800
-WORK_small_bed := 0.75
+VARIANTS := $(FINEST) default step2 step4 depth0.75 elements0.5
+set_depth0.75 := --set bed.disc_count=1800
+set_elements0.5 := $(call soil_elements,4,0.045) --set bed.disc_count=1200
 REALISATIONS := 1 2
 CASE   := $(HERE)/cases/short.toml
 OUT    := build/runs/quick_speed_accuracy
