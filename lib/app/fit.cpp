@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "app/children.hpp"
@@ -122,6 +123,7 @@ void log_trial(Fit& fit, const Variant& trial, const std::vector<RunMetrics>& me
     }
     fit.log += csv_line(cells);
     fmt::print("{:<24} cost {:.3f}  {}\n", trial.name, fit.cost_of(trial.c), decision);
+    std::fflush(stdout);  // trials take long, and a log is no terminal
 }
 
 std::string without_extension(const std::string& output) { return output.substr(0, output.size() - 5); }
@@ -159,7 +161,7 @@ Decision decide(const Fit& fit, const std::vector<RunMetrics>& metrics) {
         if (is_small(d, Evidence::shown)) continue;
         (is_small(d, Evidence::mean) ? not_shown : too_far) += " " + q.name;
     }
-    if (!too_far.empty()) return {Trial::refused, "refused: beyond the tolerance:" + too_far};
+    if (!too_far.empty()) return {Trial::refused, "refused: mean beyond the tolerance:" + too_far};
     if (not_shown.empty()) return {Trial::kept, "kept"};
     if (fit.evidence == Evidence::mean) return {Trial::kept, "kept by the mean, not shown:" + not_shown};
     return {Trial::refused, "refused: not shown to be within it:" + not_shown};
@@ -195,7 +197,7 @@ void warn_of_scatter(const Fit& fit) {
         if (is_small(d, Evidence::shown)) continue;
         fmt::print(stderr,
                    "{}: two beds of one case differ by 0 ± {:.3g} {} in the mean of {} realisations, more than the "
-                   "tolerance of {:.3g}: nothing can be shown there. Give about --n {:.0f}, a larger --tolerance, or "
+                   "tolerance of {:.3g}: little can be shown there. Give about --n {:.0f}, a larger --tolerance, or "
                    "--evidence mean?\n",
                    q.name, d.paired.half_width, q.metric->unit, d.paired.n, d.tolerance, realisations_needed(d));
     }
