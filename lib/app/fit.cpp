@@ -133,9 +133,11 @@ void write_files(const Fit& fit) {
     fs::path base = fs::absolute(fit.request.case_path);
     if (const fs::path folder = fs::absolute(output).parent_path(); fs::path(fit.request.case_path).is_relative())
         base = base.lexically_proximate(folder);
-    std::string text = fmt::format("# A smaller model with the same {} within {} by {} realisations; trials: {}.csv\n",
-                                   fit.request.quantities, fit.request.tolerance, fit.request.realisations,
-                                   fs::path(without_extension(output)).filename().string());
+    const FitRequest& r = fit.request;
+    std::string text =
+        fmt::format("# {}: {} within {} ({}) in {} realisations; trials: {}.csv\n",
+                    fit.kept.names.empty() ? "Nothing can be less" : "The least model", r.quantities, r.tolerance,
+                    r.evidence, r.realisations, fs::path(without_extension(output)).filename().string());
     text += fmt::format("base = \"{}\"\n", base.lexically_normal().string());
     for (const Override& change : list_changes(read_case(fit.request.case_path), fit.kept.c))
         text += fmt::format("{} = {}\n", change.key, change.value);
