@@ -1,7 +1,6 @@
 # Cost against error: one change each from chapter 3's default, B3 under 170 N on Earth at 20 and 60 % slip, three realisations.
 #   make speed-accuracy          the whole: prints its CPU time first; may be stopped, the same command goes on
 #   make quick-speed-accuracy    the machinery on a small bin
-# A run that a health check stops is a result: NAME/stopped.txt holds the check's words, and nothing repeats it.
 
 CHAPTER := reproductions/chapter3
 HERE    := reproductions/speed_accuracy
@@ -117,30 +116,11 @@ speed-accuracy:
 	@$(MAKE) --no-print-directory -f $(SWEEP) points
 
 include $(CHAPTER)/sweep.mk
+include $(HERE)/trials.mk
 CASES += $(HERE)/cases/short.toml
-
-ended_runs = $$(for r in $(RUNS); do [ $(OUT)/$$r/ended -nt $(INPUTS) ] && echo $(OUT)/$$r; done)
 points: $(INPUTS)
 	@$(IFEDEM) points $(HERE)/references.csv $(ended_runs) --finest $(FINEST) -o $(REPORT) --title "$(TITLE)" --command "$(COMMAND)"
 	@echo "points: $(REPORT)/points.csv, page: $(REPORT)/index.html"
-
-# Starts the program and passes on what stops make; `code` is its exit code. 3: a health check stopped it.
-start = $(1) & child=$$$$!; trap "kill $$$$child; wait $$$$child; exit 143" INT TERM; wait $$$$child; code=$$$$?
-
-# As sweep.mk's rules, but for health checks: the travel meets them again and reports them.
-define try_prepare_rule
-$(OUT)/ready/$(1): $(INPUTS) $(5)
-	@$(call start,$(IFEDEM) prepare $(4) $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log); \
-	[ $$$$code = 0 ] || [ $$$$code = 3 ] && touch $$@
-endef
-define trial_rule
-$(OUT)/$(1)/ended: $(INPUTS) | $(OUT)/ready/$(4)
-	@if [ $(OUT)/$(1)/checkpoint.h5 -nt $(INPUTS) ]; then set -- resume $(OUT)/$(1); \
-	else set -- run $(2) -o $(OUT)/$(1) --force $(3); fi; \
-	$(call start,$(IFEDEM) "$$$$@" --quiet --stages $(STAGES) > /dev/null 2> $(OUT)/logs/$(1).log); \
-	[ $$$$code != 3 ] || { rm -f $(OUT)/$(1)/run.csv; sed 's/^$(1): //' $(OUT)/logs/$(1).log | tail -n 1 > $(OUT)/$(1)/stopped.txt; }; \
-	[ $$$$code = 0 ] || [ $$$$code = 3 ] && touch $$@
-endef
 
 part = $(word $(2),$(subst -, ,$(1)))
 realisation_of = $(patsubst r%,%,$(lastword $(subst -, ,$(1))))

@@ -1,5 +1,6 @@
 // The make rules of a chapter's sweep (reproductions/chapter3/sweep.mk) on tiny travels: what fails stops no other,
-// what is done is not repeated, what was stopped goes on, and a changed input repeats all.
+// what is done is not repeated, what was stopped goes on, and a changed input repeats all. The same for trials
+// (reproductions/speed_accuracy/trials.mk), where a run that a health check stops is done.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -39,6 +40,20 @@ protected:
              << "$(eval $(call travel_rule,bad,$(C),$(S) --set travel.slip_percent=many,sunk))\n"
              << "travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))\n";
     }
+    /// Trials: `wild` has a step that a health check stops; `bad` as above.
+    void write_trials(const std::string& runs, const std::string& distance_m) const {
+        std::ofstream file(scratch.file("sweep.mk"));
+        file << "CHAPTER := " << scratch.file("chapter") << "\nSWEEP := " << scratch.file("sweep.mk")
+             << "\nOUT := " << scratch.file("runs") << "\nSTAGES := " << scratch.file("stages") << "\nRUNS := " << runs
+             << "\nruns: sweep\ninclude " << IFEDEM_SOURCE_DIR << "/reproductions/chapter3/sweep.mk\ninclude "
+             << IFEDEM_SOURCE_DIR << "/reproductions/speed_accuracy/trials.mk\n"
+             << "C := $(CHAPTER)/cases/tiny.toml\nS_all := --set travel.distance_m=" << distance_m << "\n"
+             << "S_a := $(S_all)\nS_wild := $(S_all) --set time_step_s=2.4e-4 --allow-unstable\n"
+             << "S_bad := $(S_all) --set travel.slip_percent=many\n"
+             << "$(foreach r,a wild bad,$(eval $(call try_prepare_rule,sunk-$(r),$(C),$(S_$(r)),,)))\n"
+             << "$(foreach r,a wild bad,$(eval $(call trial_rule,$(r),$(C),$(S_$(r)),sunk-$(r))))\n"
+             << "travels: $(addprefix $(OUT)/,$(addsuffix /ended,$(RUNS)))\n";
+    }
     void write_case(const std::string& more) const {
         std::ofstream(scratch.file("chapter/cases/tiny.toml"))
             << "base = \"" << IFEDEM_SOURCE_DIR
@@ -67,6 +82,39 @@ protected:
         return fs::last_write_time(scratch.file("runs/" + run + "/run.csv"));
     }
 
+    /// Stops make while run `a` travels 0.2 m, then goes on.
+    void stop_and_go_on() const {
+        const pid_t make = fork();
+        if (make == 0) {
+            execl("/bin/sh", "sh", "-c", ("exec " + command() + " > " + scratch.file("make.log")).c_str(), nullptr);
+            _exit(127);
+        }
+        // Stopped once the travel has a checkpoint.
+        const std::string checkpoint = scratch.file("runs/a/checkpoint.h5");
+        for (int k = 0;
+             k < 6000 && !fs::exists(checkpoint) && kill(make, 0) == 0 && waitpid(make, nullptr, WNOHANG) == 0; ++k)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ASSERT_TRUE(fs::exists(checkpoint)) << read_text(scratch.file("make.log"));
+        kill(make, SIGTERM);
+        int status = 0;
+        waitpid(make, &status, 0);
+        // The program may still be writing its last checkpoint when make is gone.
+        const std::string log = scratch.file("runs/logs/a.log");
+        for (int k = 0; k < 3000 && read_text(log).find("goes on from step") == std::string::npos; ++k)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ASSERT_FALSE(fs::exists(scratch.file("runs/a/run.csv")));
+
+        const Outcome second = run_make();
+        ASSERT_EQ(second.code, 0) << second.text;
+        const std::string facts = read_text(scratch.file("runs/a/run.csv"));
+        const auto number = [&](const std::string& name) {
+            const auto at = facts.find("\n" + name + ",");
+            return std::stol(facts.substr(at + name.size() + 2));
+        };
+        EXPECT_LT(number("steps"), number("total_steps") - 7500);  // fewer than the travel's own: it did not begin anew
+        EXPECT_GT(number("steps"), 0);
+    }
+
     Scratch scratch;
 };
 
@@ -92,35 +140,29 @@ TEST_F(Sweep, AFailedRunStopsNoOtherAndDoneWorkIsNotRepeated) {
 
 TEST_F(Sweep, WhatWasStoppedGoesOnFromItsCheckpoint) {
     write_makefile("a", "0.2");
-    const pid_t make = fork();
-    if (make == 0) {
-        execl("/bin/sh", "sh", "-c", ("exec " + command() + " > " + scratch.file("make.log")).c_str(), nullptr);
-        _exit(127);
-    }
-    // Stopped once the travel has a checkpoint.
-    const std::string checkpoint = scratch.file("runs/a/checkpoint.h5");
-    for (int k = 0; k < 6000 && !fs::exists(checkpoint) && kill(make, 0) == 0 && waitpid(make, nullptr, WNOHANG) == 0;
-         ++k)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ASSERT_TRUE(fs::exists(checkpoint)) << read_text(scratch.file("make.log"));
-    kill(make, SIGTERM);
-    int status = 0;
-    waitpid(make, &status, 0);
-    // The program may still be writing its last checkpoint when make is gone.
-    const std::string log = scratch.file("runs/logs/a.log");
-    for (int k = 0; k < 3000 && read_text(log).find("goes on from step") == std::string::npos; ++k)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ASSERT_FALSE(fs::exists(scratch.file("runs/a/run.csv")));
+    stop_and_go_on();
+}
 
-    const Outcome second = run_make();
-    ASSERT_EQ(second.code, 0) << second.text;
-    const std::string facts = read_text(scratch.file("runs/a/run.csv"));
-    const auto number = [&](const std::string& name) {
-        const auto at = facts.find("\n" + name + ",");
-        return std::stol(facts.substr(at + name.size() + 2));
-    };
-    EXPECT_LT(number("steps"), number("total_steps") - 7500);  // fewer than the travel's own: it did not begin anew
-    EXPECT_GT(number("steps"), 0);
+TEST_F(Sweep, ATrialThatWasStoppedGoesOnFromItsCheckpoint) {
+    write_trials("a", "0.2");
+    stop_and_go_on();
+}
+
+TEST_F(Sweep, ATrialThatAHealthCheckStopsIsDone) {
+    write_trials("wild bad a", "0.01");
+    const Outcome first = run_make();
+    EXPECT_NE(first.code, 0);
+    EXPECT_NE(first.text.find("failed: bad"), std::string::npos) << first.text;
+    EXPECT_EQ(first.text.find("failed: wild"), std::string::npos) << first.text;
+    EXPECT_TRUE(fs::exists(scratch.file("runs/a/run.csv"))) << first.text;
+    ASSERT_TRUE(fs::exists(scratch.file("runs/wild/stopped.txt"))) << first.text;
+    EXPECT_FALSE(fs::exists(scratch.file("runs/wild/run.csv")));
+    EXPECT_EQ(read_text(scratch.file("runs/wild/stopped.txt")).find("stopped at step"), 0U);
+
+    const auto before = fs::last_write_time(scratch.file("runs/wild/ended"));
+    write_trials("wild a", "0.01");
+    EXPECT_EQ(run_make().code, 0);
+    EXPECT_EQ(fs::last_write_time(scratch.file("runs/wild/ended")), before);
 }
 
 }  // namespace
