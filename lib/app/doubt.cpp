@@ -48,6 +48,7 @@ struct Table {
         "relative_cost,note\n";
     std::string text = fmt::format("{:<8} {:<10} {:>10} {:>10} {:>21}  {:<15} {}\n", "what", "quantity", "default",
                                    "variant", "difference", "verdict", "cost");
+    int intervals = 0;
 };
 
 void add_variant(Table& table, const std::vector<Variant>& variants, const std::vector<MeasuredVariant>& measured,
@@ -62,6 +63,7 @@ void add_variant(Table& table, const std::vector<Variant>& variants, const std::
         } else {
             const Difference d = find_difference(measured[0].metrics, measured[v].metrics, q, tolerance);
             const std::string verdict(to_text(judge_movement(d)));
+            ++table.intervals;
             cells.insert(cells.end(),
                          {std::to_string(d.paired.n), format_number(d.before), format_number(d.after),
                           format_number(d.paired.mean), format_number(d.paired.half_width), format_number(d.tolerance),
@@ -98,8 +100,11 @@ int run_doubt(const DoubtRequest& request) {
         worst = std::max(worst, measured[v].status);
     }
     write_file_atomically(request.directory + "/doubt.csv", table.csv);
-    fmt::print("{}{} realisations, 95 % half-widths, cost in disc-steps of the default's; table: {}/doubt.csv\n",
-               table.text, request.realisations, request.directory);
+    fmt::print(
+        "{}{} realisations, 95 % half-widths, cost in disc-steps of the default's; table: {}/doubt.csv\n"
+        "By chance alone {:.1f} of {} intervals leave out 0, and all share the default's realisations: look at what "
+        "moves with more.\n",
+        table.text, request.realisations, request.directory, 0.05 * table.intervals, table.intervals);
     return worst;
 }
 
