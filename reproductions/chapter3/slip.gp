@@ -20,7 +20,7 @@ marker(curve) = words(mean) > 2 ? word("5 9 7 11 13", place(curve)) + 0 : 7
 # there are several realisations.
 fits = fit eq "" ? "" : "for [c in fit] data using (pick(c, 'fit', 3)):4 with lines linewidth 1.6 linecolor rgb hue(c), "
 runs = run eq "" ? "" : "for [c in run] data using (pick(c, 'run', 3)):4 with points pointtype 7 pointsize 0.3 linecolor rgb pale(c), "
-bars = run eq "" ? "" : "for [c in mean] data using (column(6) > 1 ? pick(c, 'mean', 3) : NaN):4:5 with yerrorbars pointtype 0 linewidth 1.3 linecolor rgb hue(c), "
+bars = run eq "" ? "" : "for [c in run] data using (column(6) > 1 ? pick(c, 'mean', 3) : NaN):4:5 with yerrorbars pointtype 0 linewidth 1.3 linecolor rgb hue(c), "
 texts = text eq "" ? "" : "for [c in text] data using (pick(c, 'text', 3)):4 with points pointtype 12 pointsize 1.25 linewidth 1.6 linecolor rgb text_colour, "
 mark_words(names, kind, up) = names eq "" ? "" : sprintf("for [c in '%s'] data using (pick(c, '%s', 3)):4:7 with labels right boxed offset -1.3, %.1f textcolor rgb text_colour font ',12', ", names, kind, up)
 uppers = mark_words(above, "above", 1.0)
