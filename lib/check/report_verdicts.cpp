@@ -74,10 +74,12 @@ std::string name_of(const Outcome& o) {
                    : fmt::format("{} ({})", o.ledger.quantity, o.claim.id);
 }
 
-/// One sentence for the summary.
+/// One sentence for the summary. Statistics of many curves are left to the table of all verdicts.
 std::string sentence(const Outcome& o) {
+    constexpr std::size_t longest_detail = 120;
     if (is_about_curves(o.claim.comparison))
-        return fmt::format("{}: the text says “{}”; {}.", name_of(o), o.reference_text, o.detail);
+        return fmt::format("{}: the text says “{}”{}.", name_of(o), o.reference_text,
+                           o.detail.size() > longest_detail ? "" : "; " + o.detail);
     switch (o.claim.comparison) {
         case Comparison::above:
         case Comparison::below:
