@@ -19,6 +19,7 @@ hashes_of() {
 
 is_stale() { # file
     old=$(hashes_of "$1" | awk 'NR == 1 { print $3 }')
+    [ -n "$old" ] || return 0 # no runs of its own
     [ "$old" = "$version" ] && return 1
     echo "stale: $1 is of results version $old, the program has $version"
 }

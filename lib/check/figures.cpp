@@ -162,7 +162,8 @@ std::optional<Figure> copy_picture(const FigureRow& row, const ReportPaths& path
 
 std::optional<Figure> draw_lines(const FigureRow& row, const ReportPaths& paths, const Campaign& campaign,
                                  const std::vector<Outcome>& outcomes) {
-    Figure figure = start_figure(row, "svg");
+    // Thousands of circles would be megabytes of lines.
+    Figure figure = start_figure(row, row.style.ends_with("discs") ? "png" : "svg");
     const std::string data_path = paths.out + "/" + figure.data;
     Variables variables{{"style", paths.style}, {"data", data_path}, {"ylabel", row.ylabel}};
     const auto data = line_data(row, campaign, outcomes, variables);
