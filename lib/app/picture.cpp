@@ -61,7 +61,7 @@ void draw_pictures(const std::string& run_directory, const std::string& out_dire
     const Vec2 hub = shown.hub_position_m;
     SnapshotOptions near;
     near.soil = read_soil_outline(run_directory, shown.time_s);
-    near.width_px = 1100;  // sharp on a page, and a chapter's report stays small
+    near.width_px = 800;  // sharp on a page, and a chapter's report stays below 5 MiB
     near.x_min_m = hub.x - 0.35 * size, near.x_max_m = hub.x + 0.25 * size;
     near.y_min_m = 0, near.y_max_m = hub.y + 0.2 * size;
     write_snapshot_png(out_directory + "/snapshot.png", shown, header.mesh, near);
