@@ -71,4 +71,28 @@ struct Pack {
     }
 };
 
+using Two = RawVector<2>::Type;
+using Four = RawVector<4>::Type;
+using Eight = RawVector<8>::Type;
+
+template <class V>
+IFEDEM_INLINE V load_as(const double* p) {
+    V v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+
+/// Rows of four records become columns, and columns rows.
+struct FourRows {
+    Four a, b, c, d;
+};
+IFEDEM_INLINE FourRows transpose(const FourRows& r) {
+    const Four ab02 = __builtin_shufflevector(r.a, r.b, 0, 4, 2, 6),
+               ab13 = __builtin_shufflevector(r.a, r.b, 1, 5, 3, 7);
+    const Four cd02 = __builtin_shufflevector(r.c, r.d, 0, 4, 2, 6),
+               cd13 = __builtin_shufflevector(r.c, r.d, 1, 5, 3, 7);
+    return {__builtin_shufflevector(ab02, cd02, 0, 1, 4, 5), __builtin_shufflevector(ab13, cd13, 0, 1, 4, 5),
+            __builtin_shufflevector(ab02, cd02, 2, 3, 6, 7), __builtin_shufflevector(ab13, cd13, 2, 3, 6, 7)};
+}
+
 }  // namespace ifedem

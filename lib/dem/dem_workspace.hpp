@@ -21,8 +21,7 @@ struct Block {
     std::uint32_t outer_begin = 0, outer_end = 0;  ///< into the outer list
     std::uint32_t pair_begin = 0, pair_end = 0;    ///< into the inner list
     std::uint32_t wall_begin = 0, wall_end = 0;    ///< into the discs near walls
-    std::uint32_t force_begin = 0,
-                  force_end = 0;  ///< slots of its discs and of all up to the last that its pairs reach
+    std::uint32_t force_begin = 0, force_end = 0;  ///< slots of its discs, and on to the last that its pairs reach
     std::uint32_t merge_begin = 0, merge_end = 0;  ///< into Merge: what earlier blocks hold for this one
     std::uint32_t first_source = 0;                ///< the first block whose pairs reach into this one, or itself
     bool moved = false;                            ///< a disc has left its inner skin in this step

@@ -127,16 +127,6 @@ IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, s
     on_j.x_N += f.x, on_j.y_N += f.y, on_j.turning_N += f.turning, on_j.rolling_Nm += f.rolling;
 }
 
-using Two = RawVector<2>::Type;
-using Four = RawVector<4>::Type;
-using Eight = RawVector<8>::Type;
-
-template <class V>
-IFEDEM_INLINE V load_as(const double* p) {
-    V v;
-    __builtin_memcpy(&v, p, sizeof v);
-    return v;
-}
 IFEDEM_INLINE Four join(Two a, Two b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3); }
 IFEDEM_INLINE Eight join(Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
 
@@ -223,12 +213,8 @@ IFEDEM_INLINE void to_records(const ForceColumns<Two>& f, Four* out) {
     out[1] = Four{f.x[1], f.turning[1], f.y[1], f.rolling[1]};
 }
 IFEDEM_INLINE void to_records(const ForceColumns<Four>& f, Four* out) {
-    const Four a = __builtin_shufflevector(f.x, f.turning, 0, 4, 2, 6),
-               b = __builtin_shufflevector(f.x, f.turning, 1, 5, 3, 7);
-    const Four c = __builtin_shufflevector(f.y, f.rolling, 0, 4, 2, 6),
-               d = __builtin_shufflevector(f.y, f.rolling, 1, 5, 3, 7);
-    out[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5), out[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
-    out[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7), out[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+    const FourRows records = transpose({f.x, f.turning, f.y, f.rolling});
+    out[0] = records.a, out[1] = records.b, out[2] = records.c, out[3] = records.d;
 }
 IFEDEM_INLINE void to_records(const ForceColumns<Eight>& f, Four* out) {
     const auto low = [](const Eight& a) { return __builtin_shufflevector(a, a, 0, 1, 2, 3); };

@@ -5,27 +5,8 @@
 namespace ifedem {
 namespace {
 
-using Four = RawVector<4>::Type;
-
-IFEDEM_INLINE Four load(const double* p) {
-    Four v;
-    __builtin_memcpy(&v, p, sizeof v);
-    return v;
-}
+IFEDEM_INLINE Four load(const double* p) { return load_as<Four>(p); }
 IFEDEM_INLINE void store(double* p, Four v) { __builtin_memcpy(p, &v, sizeof v); }
-
-/// Rows of four records become columns, and columns rows.
-struct Rows {
-    Four a, b, c, d;
-};
-IFEDEM_INLINE Rows transpose(Rows r) {
-    const Four ab02 = __builtin_shufflevector(r.a, r.b, 0, 4, 2, 6),
-               ab13 = __builtin_shufflevector(r.a, r.b, 1, 5, 3, 7);
-    const Four cd02 = __builtin_shufflevector(r.c, r.d, 0, 4, 2, 6),
-               cd13 = __builtin_shufflevector(r.c, r.d, 1, 5, 3, 7);
-    return {__builtin_shufflevector(ab02, cd02, 0, 1, 4, 5), __builtin_shufflevector(ab13, cd13, 0, 1, 4, 5),
-            __builtin_shufflevector(ab02, cd02, 2, 3, 6, 7), __builtin_shufflevector(ab13, cd13, 2, 3, 6, 7)};
-}
 
 template <bool springs>
 IFEDEM_INLINE bool move_all(const MotionBatch& batch) {
@@ -52,7 +33,7 @@ IFEDEM_INLINE bool move_all(const MotionBatch& batch) {
         const Four impulse = dt * inverse_mass;
         vx = vx + (impulse * fx + fall_x), vy = vy + (impulse * fy + fall_y);
         x = x + dt * vx, y = y + dt * vy, angle = angle + dt * omega;
-        const Rows first = transpose({x, y, vx, vy}), second = transpose({omega, radius, inverse_mass, angle});
+        const FourRows first = transpose({x, y, vx, vy}), second = transpose({omega, radius, inverse_mass, angle});
         store(&d[0].x_m, first.a), store(&d[1].x_m, first.b), store(&d[2].x_m, first.c), store(&d[3].x_m, first.d);
         store(&d[0].omega_rad_s, second.a), store(&d[1].omega_rad_s, second.b);
         store(&d[2].omega_rad_s, second.c), store(&d[3].omega_rad_s, second.d);

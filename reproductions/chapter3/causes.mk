@@ -31,9 +31,6 @@ sets_of_absolute    := --set wheel.damping_frame=absolute
 sets_of_half-chord  := --set contact.rolling_chord=half
 sets_of_wheel-rigid := --set wheel.body=rigid
 sets_of_absolute-half        := $(sets_of_absolute) $(sets_of_half-chord)
-sets_of_b6-absolute      := $(sets_of_absolute)
-sets_of_b6-half-chord    := $(sets_of_half-chord)
-sets_of_b6-absolute-half := $(sets_of_absolute-half)
 sets_of_wheel-rigid-half     := $(sets_of_wheel-rigid) $(sets_of_half-chord)
 sets_of_wheel-rigid-absolute := $(sets_of_wheel-rigid) $(sets_of_absolute)
 sets_of_absolute-rim         := $(sets_of_absolute) $(foreach p,intermediate surface lug,--set wheel.$(p).damping_1_s=0)
@@ -60,6 +57,6 @@ define run_rule
 $(OUT)/$(1)/run.csv: $(call case_of,$(1))
 	@$(IFEDEM) run $(call case_of,$(1)) -o $(OUT)/$(1) --force --quiet --set travel.slip_percent=60 \
 	  --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) \
-	  $(sets_of_$(call what_of,$(1))) > /dev/null && echo "done: $(1)"
+	  $(sets_of_$(patsubst b6-%,%,$(call what_of,$(1)))) > /dev/null && echo "done: $(1)"
 endef
 $(foreach r,$(RUNS),$(eval $(call run_rule,$(r))))

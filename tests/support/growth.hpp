@@ -17,25 +17,32 @@ inline World make_squeezed_column(int count, double damping_ratio, double step_s
     return make_world(k, discs, integrator);
 }
 
-/// Whether the column goes a thousand times as far from rest as the disturbance takes it in a step. (Looking at its
-/// velocity in the end would not do: modified Euler with two evaluations runs to a false rest beside the true one.)
-inline bool column_grows(int count, double damping_ratio, double step_s, Integrator integrator) {
-    World w = make_squeezed_column(count, damping_ratio, step_s, integrator);
-    constexpr double start = 1e-6;
-    std::vector<double> rest;
-    for (std::size_t n = 0; n < w.state.discs.disc.size(); ++n) {
-        Disc& d = w.state.discs.disc[n];
-        rest.push_back(d.y_m);
-        d.vy_m_s = (n % 2 == 0 ? start : -start) * (1 + 0.1 * static_cast<double>(n));
-    }
+/// Whether a disc goes a thousand times as far from where the discs rest now as a speed of `start` takes it in a step.
+/// (Looking at velocities in the end would not do: modified Euler with two evaluations runs to a false rest beside the
+/// true one.)
+template <class Disturb>
+bool grows(World w, double start, const Disturb& disturb) {
+    std::vector<Vec2> rest(w.state.discs.disc.size());
+    for (std::size_t p = 0; p < rest.size(); ++p)
+        rest[w.state.discs.id[p]] = {w.state.discs.disc[p].x_m, w.state.discs.disc[p].y_m};
+    disturb(w.state.discs.disc);
     for (int n = 0; n < 4000; ++n) {
         advance(w, 1);
         for (std::size_t p = 0; p < rest.size(); ++p) {
-            const double gone = std::fabs(w.state.discs.disc[p].y_m - rest[w.state.discs.id[p]]);
-            if (!(gone < 1000 * start * step_s)) return true;
+            const Disc& d = w.state.discs.disc[p];
+            const double gone = norm(Vec2{d.x_m, d.y_m} - rest[w.state.discs.id[p]]);
+            if (!(gone < 1000 * start * w.scene.dem.step_s)) return true;
         }
     }
     return false;
+}
+
+inline bool column_grows(int count, double damping_ratio, double step_s, Integrator integrator) {
+    constexpr double start = 1e-6;
+    return grows(make_squeezed_column(count, damping_ratio, step_s, integrator), start, [&](std::vector<Disc>& discs) {
+        for (std::size_t n = 0; n < discs.size(); ++n)
+            discs[n].vy_m_s = (n % 2 == 0 ? start : -start) * (1 + 0.1 * static_cast<double>(n));
+    });
 }
 
 /// The largest step at which a system does not grow, by bisection between one that does not and one that does.

@@ -84,17 +84,9 @@ scene::World make_corner(double opening, double zeta, double step_s) {
 
 /// Whether a small disturbance, along and across the bisector, grows a thousandfold.
 bool corner_grows(double opening, double zeta, double step_s) {
-    scene::World w = make_corner(opening, zeta, step_s);
     constexpr double start = 1e-6;
-    Disc& d = w.state.discs.disc[0];
-    const Vec2 rest{d.x_m, d.y_m};
-    d.vx_m_s = start, d.vy_m_s = 0.9 * start;
-    for (int n = 0; n < 4000; ++n) {
-        scene::advance(w, 1);
-        const Disc& now = w.state.discs.disc[0];
-        if (!(norm(Vec2{now.x_m, now.y_m} - rest) < 1000 * start * step_s)) return true;
-    }
-    return false;
+    return scene::grows(make_corner(opening, zeta, step_s), start,
+                        [&](std::vector<Disc>& discs) { discs[0].vx_m_s = start, discs[0].vy_m_s = 0.9 * start; });
 }
 
 /// Both faces' springs act on the disc: the stiffer direction has K (1 + |cos β|), twice K where the faces are
