@@ -292,7 +292,7 @@ void update_lists(const DemConstants& k, State& state, DemWorkspace& work) {
 }
 
 void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
-    work.vector_width = vector_width(), work.pair_kernel = choose_pair_kernel();
+    work.vector_width = vector_width(), work.pair_kernel = choose_pair_kernel(work.vector_width);
     note_ids(state, work);
     work.rebuild_outer = work.refresh_inner = state.pairs.reference.empty();
     if (work.rebuild_outer) return;

@@ -46,8 +46,8 @@ int vector_width() {
                     asked));
 }
 
-PairKernel choose_pair_kernel() {
-    switch (vector_width()) {
+PairKernel choose_pair_kernel(int width) {
+    switch (width) {
         case 8:
             return add_pairs_avx512;
         case 4:
