@@ -58,9 +58,6 @@ void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets,
     allow_unstable(*run, request);
     run->add_option("--stop-at-step", request.stop_at_step,
                     "leave a checkpoint after this many steps of all stages together");
-    run->add_flag_callback(
-        "--stress", [&] { request.final_stress = FinalStress::write; },
-        "write stress.csv, the stress of every disc and soil element at the end of travel");
     run->add_flag("--profile", request.profile, "print the CPU time of each phase of the step (of the first thread)");
     run->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));

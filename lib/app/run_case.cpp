@@ -197,7 +197,7 @@ bool run_stage(LiveRun& run, Stage stage) {
         if (recorded && (is_due(at, series) || at == last))
             run.recorder->add_series(take_series_row(scene, state, work));
         if (recorded && (is_due(at, frame) || at == last)) add_frame();
-        if (recorded && at == last && run.request.final_stress == FinalStress::write)
+        if (recorded && at == last && run.c.record.final_stress == FinalStress::write)
             write_file_atomically(run.request.directory + "/stress.csv", stress_csv(scene, state, work));
         if (is_due(at, checkpoint) && at != last) write_run_checkpoint(run);
         if (signal_seen != 0 || state.progress.total_steps == run.request.stop_at_step) {

@@ -12,7 +12,6 @@ namespace ifedem {
 enum class Existing { refuse, replace };  ///< what `run` does with a directory that is already there
 enum class Show { progress, nothing };
 enum class UnstableStep { refuse, allow };  ///< what `run` does with a step beyond a limit
-enum class FinalStress { skip, write };     ///< stress.csv: the soil's stress at the end of travel
 
 struct RunRequest {
     std::string case_path;
@@ -25,7 +24,6 @@ struct RunRequest {
     Show show = Show::progress;
     UnstableStep unstable_step = UnstableStep::refuse;
     bool profile = false;
-    FinalStress final_stress = FinalStress::skip;
     std::uint64_t stop_at_step = 0;  ///< of all stages together; 0: go on to the end
 };
 

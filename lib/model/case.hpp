@@ -23,6 +23,7 @@ enum class SpeedOf { hub, tread };  ///< what travel.speed_m_s is: V, or r ω of
 enum class ControlScheme { semi_implicit, explicit_, prescribed };  ///< two forms of the PID; or no loop at all
 enum class PlaneState { stress, strain };
 enum class StressHandover { none, mean };  ///< at a conversion: nothing (section 5.1.3), or the mean stress
+enum class FinalStress { skip, write };    ///< stress.csv: stress of every disc and soil element at the end of travel
 
 struct SoilCase {
     std::vector<double> radii_m = {0.002, 0.0025, 0.003};
@@ -148,6 +149,7 @@ struct RecordCase {
     std::int64_t stress_blocks = 10;   ///< parts of the window that are summed apart, for intervals of confidence
     double stress_from_x_m = 0.9;      ///< averaging window: places of the hub
     double stress_to_x_m = 1.2;
+    FinalStress final_stress = FinalStress::skip;
 };
 
 struct HealthCase {

@@ -23,6 +23,7 @@ constexpr std::string_view speed_words[] = {"hub", "tread"};
 constexpr std::string_view control_words[] = {"semi-implicit", "explicit", "prescribed"};
 constexpr std::string_view plane_words[] = {"stress", "strain"};
 constexpr std::string_view handover_words[] = {"none", "mean"};
+constexpr std::string_view final_stress_words[] = {"skip", "write"};
 
 constexpr Words words_of(Integrator) { return integrator_words; }
 constexpr Words words_of(ContactEnd) { return contact_end_words; }
@@ -37,6 +38,7 @@ constexpr Words words_of(SpeedOf) { return speed_words; }
 constexpr Words words_of(ControlScheme) { return control_words; }
 constexpr Words words_of(PlaneState) { return plane_words; }
 constexpr Words words_of(StressHandover) { return handover_words; }
+constexpr Words words_of(FinalStress) { return final_stress_words; }
 
 template <class T>
 Slot slot_of(T& member) {
@@ -194,6 +196,7 @@ constexpr std::array keys{
     IFEDEM_KEY(record.stress_blocks, "-", whole(1, 1e3), "equal parts of the averaging window, summed apart"),
     IFEDEM_KEY(record.stress_from_x_m, "m", from_zero(1e3), "hub's place where the averaging of contact forces begins"),
     IFEDEM_KEY(record.stress_to_x_m, "m", from_zero(1e3), "hub's place where it ends"),
+    IFEDEM_KEY(record.final_stress, "", any, "stress.csv: stress of every disc and soil element at the end of travel"),
 
     IFEDEM_KEY(health.overlap_limit, "-", above_zero(2),
                "stop when an overlap exceeds this share of the smaller radius"),

@@ -36,6 +36,7 @@ stress_segments = 1000
 stress_blocks = 4
 stress_from_x_m = 0.254
 stress_to_x_m = 0.266
+final_stress = "write"
 checkpoint_interval_s = 0
 )";
 
@@ -118,7 +119,7 @@ TEST(StressProgram, a_resumed_run_writes_the_same_stress) {
     ASSERT_EQ(small.run("b", "--stop-at-step 13500"), 0);  // within the window
     ASSERT_TRUE(std::filesystem::exists(small.scratch.file("b/checkpoint.h5")));
     ASSERT_EQ(run_program("resume " + small.scratch.file("b") + " --stages " + small.scratch.file("stages")), 0);
-    for (const char* name : {"contact_stress.csv", "contact_blocks.csv", "contact_balance.csv"}) {
+    for (const char* name : {"contact_stress.csv", "contact_blocks.csv", "contact_balance.csv", "stress.csv"}) {
         const std::string a = read_text(small.scratch.file(std::string("a/") + name));
         EXPECT_GT(a.size(), 200U);
         EXPECT_EQ(a, read_text(small.scratch.file(std::string("b/") + name))) << name;
