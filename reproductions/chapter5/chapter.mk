@@ -8,12 +8,23 @@ OUT     := build/runs/chapter5
 REPORT  := build/reports/chapter5
 COMMAND ?= make reproduce-chapter5
 
-# REGION-sSLIP-rREALISATION
+# REGION-sSLIP-rREALISATION, and -WHAT for a variant
 SLIPS   := 0 10 20 30 40 50 60 70
 REGIONS := small middle large row discs
-RUNS    ?= $(foreach g,$(REGIONS),$(foreach s,$(SLIPS),$(g)-s$(s)-r1))
 
-.PHONY: reproduce runs report quick sensitivity
+# What the text leaves open, WHAT:key=value, one change each on the small region at 40 %.
+VARIED  := discs1451:elements.pattern_discs=1451 handover:elements.stress_handover=mean \
+           massfull:elements.pattern_mass_factor=1 friction0.5:contact.friction_elements=0.5 \
+           damping0:elements.material.damping_1_s=0 damping50:elements.material.damping_1_s=50 \
+           interval100:elements.conversion_interval_steps=100 interval2500:elements.conversion_interval_steps=2500 \
+           step2e5:time_step_s=2e-5
+ifeq ($(SET),sensitivity)
+RUNS    := small-s40-r1 $(foreach v,$(VARIED),small-s40-r1-$(firstword $(subst :, ,$(v))))
+else
+RUNS    ?= $(foreach g,$(REGIONS),$(foreach s,$(SLIPS),$(g)-s$(s)-r1))
+endif
+
+.PHONY: reproduce runs report quick sensitivity table
 
 reproduce:
 	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
@@ -25,14 +36,16 @@ include reproductions/chapter3/sweep.mk
 
 part = $(word $(2),$(subst -, ,$(1)))
 case_of = $(CHAPTER)/cases/$(call part,$(1),1).toml
-seed_of = --set bed.seed=$(patsubst r%,%,$(lastword $(subst -, ,$(1))))
+set_of = $(patsubst $(1):%,--set %,$(filter $(1):%,$(VARIED)))
+sets_of = --set bed.seed=$(patsubst r%,%,$(call part,$(1),3)) $(call set_of,$(call part,$(1),4))
 slip_of = --set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),2))
-sunk_of = $(call part,$(1),1)-$(lastword $(subst -, ,$(1)))
+# Variants differ in what their beds are made of: each has its own.
+sunk_of = $(call part,$(1),1)-s-$(call part,$(1),3)$(addprefix -,$(call part,$(1),4))
 
 SUNK := $(sort $(foreach r,$(RUNS),$(call sunk_of,$(r))))
-$(foreach s,$(SUNK),$(eval $(call bed_rule,bed-$(s),$(call case_of,$(s)),$(call seed_of,$(s)))))
-$(foreach s,$(SUNK),$(eval $(call sunk_rule,$(s),$(call case_of,$(s)),$(call seed_of,$(s)),bed-$(s))))
-$(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call seed_of,$(r)) $(call slip_of,$(r)) --stress,$(call sunk_of,$(r)))))
+$(foreach s,$(SUNK),$(eval $(call bed_rule,bed-$(s),$(call case_of,$(s)),$(call sets_of,$(s)))))
+$(foreach s,$(SUNK),$(eval $(call sunk_rule,$(s),$(call case_of,$(s)),$(call sets_of,$(s)),bed-$(s))))
+$(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
 
 travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS))) $(OUT)/confined/measurements.csv
 
@@ -47,6 +60,18 @@ report: $(INPUTS)
 	@$(IFEDEM) check $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
 
+sensitivity:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs SET=sensitivity
+	@$(MAKE) --no-print-directory -f $(SWEEP) table SET=sensitivity
+
+# Means over the last 0.3 m, the campaign's run first: what, the change, the values and their differences from that run.
+table: $(INPUTS)
+	@mkdir -p $(REPORT)
+	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/sensitivity $(fresh_runs)
+	@awk -F, -v varied="$(VARIED)" -f $(CHAPTER)/differences.awk $(OUT)/sensitivity/runs.csv > $(REPORT)/sensitivity.csv
+	@cat $(REPORT)/sensitivity.csv
+	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
+
 # The machinery, not the numbers: one block of confined compression and a short travel with a conversion.
 QUICK := build/runs/quick5
 quick:
@@ -57,14 +82,3 @@ quick:
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(QUICK)/measured $(QUICK)/confined \
 	  -o build/reports/quick5 --title "Chapter 5, quick: the machinery, not the numbers" --command "make quick-chapter5"
 	@echo "report: build/reports/quick5/index.html"
-
-# What the text leaves open, one change each on the small region at 40 %.
-VARIED := conversion-100:elements.conversion_interval_steps=100 conversion-2500:elements.conversion_interval_steps=2500 \
-          damping-0:elements.material.damping_1_s=0 damping-50:elements.material.damping_1_s=50 \
-          friction-05:contact.friction_elements=0.5 mass-full:elements.pattern_mass_factor=1
-sensitivity: $(INPUTS)
-	@for v in $(VARIED); do name=small-$${v%%:*}; \
-	  [ $(OUT)/$$name/run.csv -nt $(INPUTS) ] || $(IFEDEM) run $(CHAPTER)/cases/small.toml -o $(OUT)/$$name --force --quiet \
-	    --set travel.slip_percent=40 --set $${v#*:} > /dev/null || exit 1; done
-	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/sensitivity $(foreach v,$(VARIED),$(OUT)/small-$(firstword $(subst :, ,$(v)))) $(OUT)/small-s40-r1
-	@cat $(OUT)/sensitivity/runs.csv

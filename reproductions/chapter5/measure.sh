@@ -1,5 +1,5 @@
 #!/bin/sh
-# measure.sh IFEDEM OUT RUN...: what the claims of chapter 5 compare, from finished runs named REGION-sSLIP-rREALISATION.
+# measure.sh IFEDEM OUT RUN...: what the claims of chapter 5 compare, from finished runs named REGION-sSLIP-rREALISATION (-WHAT: a variant).
 # Writes OUT/runs.csv (means of each run over its last 0.3 m, section 5.2.1), OUT/curves.csv (means over realisations),
 # OUT/epochs.csv (what a conversion does to the tyre), OUT/surface-RUN.csv, OUT/measurements.csv and the report's pictures.
 set -eu
@@ -58,7 +58,7 @@ for run in "$@"; do
             level = ahead ? level / ahead : 0
             parts = split(name, p, "-")
             slip = parts == 3 && p[2] ~ /^s[0-9]+$/ ? substr(p[2], 2) : ""
-            printf "%s,%s,%s,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%s,%d,%d,%.3g,%.3g\n", name, p[1], slip, substr(p[parts], 2), \
+            printf "%s,%s,%s,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%s,%d,%d,%.3g,%.3g\n", name, p[1], slip, substr(p[3], 2), \
                 h, net, net - h, 100 * z / count, fy / count, 1 - (v / count) / (r / count * (w / count)), cpu, made, refused, \
                 100 * (high - level), behind ? 100 * (bottom / behind - level) : 0
         }' "$run/run.csv" $([ -f "$run/conversions.csv" ] && echo "$run/conversions.csv") "$run/series.csv" "$out/surface-$name.csv" >> "$out/runs.csv"
