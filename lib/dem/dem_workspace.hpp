@@ -68,6 +68,7 @@ struct DemWorkspace {
     // Scratch of a refresh.
     std::vector<std::uint32_t> next_inner;
     std::vector<double> next_spring_m, next_rolling_Nm;
+    std::vector<double> block_spring;  ///< of one block, by outer pair
     std::vector<BoundaryContact> next_wall;
     bool refresh_inner = true;
     bool rebuild_outer = true;

@@ -103,60 +103,75 @@ SwiftPairs file_pairs(const std::vector<Pair>& pairs, std::size_t discs) {
     return filed;
 }
 
-/// The discs are sorted by cell. Two swift discs find each other once, from the lower position.
+/// The discs are sorted by cell. A pair is found once, from the disc with the wider skin (the lower position of two
+/// alike), so that twice its own skin is as far as a disc has to look.
 SwiftPairs find_swift_pairs(const Grid& grid, const State& state) {
     const auto& disc = state.discs.disc;
     const auto& reference = state.pairs.reference;
-    double widest = 0, largest = 0;
-    for (std::uint32_t p = 0; p < disc.size(); ++p)
-        widest = max_of(widest, reference[p].skin_m), largest = max_of(largest, disc[p].radius_m);
+    double largest = 0;
+    for (const Disc& d : disc) largest = max_of(largest, d.radius_m);
     std::vector<Pair> pairs;
+    std::size_t found = 0;
     for (std::uint32_t i = 0; i < disc.size(); ++i) {
-        if (reference[i].skin_m <= outer_skin_m) continue;
-        const double reach = disc[i].radius_m + largest + reference[i].skin_m + widest;
+        const double skin = reference[i].skin_m;
+        if (skin <= outer_skin_m) continue;
+        const double reach = disc[i].radius_m + largest + 2 * skin;
         const std::uint32_t row0 = grid.row(disc[i].y_m - reach), row1 = grid.row(disc[i].y_m + reach);
         for (std::uint32_t x = grid.column(disc[i].x_m - reach); x <= grid.column(disc[i].x_m + reach); ++x) {
-            const std::uint32_t last = grid.begin[x * grid.rows + row1 + 1];
-            for (std::uint32_t n = grid.begin[x * grid.rows + row0]; n < last; ++n) {
-                if (!is_within(disc[i], disc[n], reference[i].skin_m + reference[n].skin_m)) continue;
-                if (n > i)
-                    pairs.emplace_back(i, n);
-                else if (n < i && reference[n].skin_m <= outer_skin_m)
-                    pairs.emplace_back(n, i);
+            const std::uint32_t first = grid.begin[x * grid.rows + row0], last = grid.begin[x * grid.rows + row1 + 1];
+            lengthen(pairs, found + (last - first));
+            for (std::uint32_t n = first; n < last; ++n) {
+                const double other = reference[n].skin_m;
+                const bool narrower = (other < skin) | ((other == skin) & (n > i));
+                pairs[found] = {std::min(i, n), std::max(i, n)};
+                found += static_cast<std::size_t>(narrower & is_within(disc[i], disc[n], skin + other));
             }
         }
     }
+    pairs.resize(found);
     return file_pairs(pairs, disc.size());
 }
 
-/// All pairs within their outer skins, sorted by i then j.
+/// All pairs within their outer skins, sorted by i then j. Here as everywhere in the lists a candidate is written and
+/// kept by moving on behind it: a branch would be mistaken every third time.
 void find_outer_pairs(const Grid& grid, State& state) {
-    const auto& disc = state.discs.disc;
-    const auto& reference = state.pairs.reference;
+    const Disc* disc = state.discs.disc.data();
+    const Reference* reference = state.pairs.reference.data();
+    const auto discs = static_cast<std::uint32_t>(state.discs.disc.size());
     const SwiftPairs swift = find_swift_pairs(grid, state);
     auto& p = state.pairs;
-    p.i.clear(), p.j.clear();
-    std::vector<std::uint32_t> near;
-    for (std::uint32_t i = 0; i < disc.size(); ++i) {
-        near.clear();
+    p.i.clear();
+    std::size_t found = 0;
+    for (std::uint32_t i = 0; i < discs; ++i) {
+        const std::size_t first_found = found;
         const std::uint32_t cx = grid.column(disc[i].x_m), cy = grid.row(disc[i].y_m);
+        const std::uint32_t row0 = cy == 0 ? 0 : cy - 1, row1 = std::min(cy + 1, grid.rows - 1);
         const bool usual = reference[i].skin_m <= outer_skin_m;
         for (std::uint32_t x = cx == 0 ? 0 : cx - 1; usual && x <= std::min(cx + 1, grid.columns - 1); ++x) {
-            const std::uint32_t row0 = cy == 0 ? 0 : cy - 1, row1 = std::min(cy + 1, grid.rows - 1);
-            const std::uint32_t first = grid.begin[x * grid.rows + row0], last = grid.begin[x * grid.rows + row1 + 1];
+            const std::uint32_t first = std::max(grid.begin[x * grid.rows + row0], i + 1);
+            const std::uint32_t last = grid.begin[x * grid.rows + row1 + 1];
+            if (first >= last) continue;
+            lengthen(p.j, found + (last - first));
             // Cells of a column follow each other and the discs are sorted by cell: positions ascend.
-            for (std::uint32_t n = std::max(first, i + 1); n < last; ++n)
-                if (is_within(disc[i], disc[n], 2 * outer_skin_m) && reference[n].skin_m <= outer_skin_m)
-                    near.push_back(n);
+            for (std::uint32_t n = first; n < last; ++n) {
+                p.j[found] = n;
+                const bool near = is_within(disc[i], disc[n], 2 * outer_skin_m);
+                found += static_cast<std::size_t>(near) & static_cast<std::size_t>(reference[n].skin_m <= outer_skin_m);
+            }
         }
-        if (swift.begin[i] != swift.begin[i + 1]) {
-            near.insert(near.end(), swift.higher.begin() + swift.begin[i], swift.higher.begin() + swift.begin[i + 1]);
-            std::sort(near.begin(), near.end());
+        const std::uint32_t swifts = swift.begin[i + 1] - swift.begin[i];
+        if (swifts != 0) {
+            lengthen(p.j, found + swifts);
+            std::copy_n(swift.higher.begin() + swift.begin[i], swifts,
+                        p.j.begin() + static_cast<std::ptrdiff_t>(found));
+            found += swifts;
+            std::sort(p.j.begin() + static_cast<std::ptrdiff_t>(first_found),
+                      p.j.begin() + static_cast<std::ptrdiff_t>(found));
         }
-        for (auto* list : {&p.i, &p.j}) reserve_closely(*list, list->size() + near.size());
-        p.i.insert(p.i.end(), near.size(), i);
-        p.j.insert(p.j.end(), near.begin(), near.end());
+        reserve_closely(p.i, found);
+        p.i.resize(found, i);
     }
+    p.j.resize(found);
 }
 
 void note_ids(const State& state, DemWorkspace& work) {
@@ -200,37 +215,52 @@ void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work)
     ++work.rebuilds;
 }
 
-/// Chooses the pairs of the inner list and unpacks them for the pair loop; springs are carried over. Both lists ascend,
-/// so one walk along the outer one does; it writes every pair and moves on behind those that stay, without a branch.
+/// The block's outer pairs that are within their inner skins. Gives the end of what was kept.
+std::size_t choose_inner_pairs(const Block& block, const State& state, DemWorkspace& work, std::size_t kept) {
+    const auto& p = state.pairs;
+    const Disc* disc = state.discs.disc.data();
+    const Reference* reference = p.inner_reference.data();
+    const std::size_t most = kept + (block.outer_end - block.outer_begin);
+    for (auto* list : {&work.i, &work.j, &work.next_inner}) lengthen(*list, most);
+    lengthen(work.damping_Ns_m, most);
+    for (std::uint32_t n = block.outer_begin; n < block.outer_end; ++n) {
+        const std::uint32_t i = p.i[n], j = p.j[n];
+        work.i[kept] = i, work.j[kept] = j;
+        work.next_inner[kept] = n;
+        work.damping_Ns_m[kept] = work.outer_damping_Ns_m[n];
+        kept += is_within(disc[i], disc[j], reference[i].skin_m + reference[j].skin_m) ? 1U : 0U;
+    }
+    return kept;
+}
+
+/// Carries the springs of the block's pairs from the old inner list, of which they are [old, old_end), to the new one.
+/// They are laid out by outer pair in between: to walk along both lists, each step waiting for the one before, took
+/// twice as long as all the rest.
+void carry_springs(const Block& block, std::size_t old, std::size_t old_end, const PairState& p,
+                   const std::vector<double>& spring, DemWorkspace& work, std::vector<double>& next) {
+    auto& by_outer = work.block_spring;  // 0 but for what stands in it here
+    lengthen(by_outer, block.outer_end - block.outer_begin);
+    lengthen(next, block.pair_end);
+    for (std::size_t n = old; n < old_end; ++n) by_outer[p.inner[n] - block.outer_begin] = spring[n];
+    for (std::size_t n = block.pair_begin; n < block.pair_end; ++n)
+        next[n] = by_outer[work.next_inner[n] - block.outer_begin];
+    for (std::size_t n = old; n < old_end; ++n) by_outer[p.inner[n] - block.outer_begin] = 0;
+}
+
+/// Chooses the pairs of the inner list and unpacks them for the pair loop; springs are carried over.
 void refresh_inner_list(State& state, DemWorkspace& work) {
     auto& p = state.pairs;
     note_inner_references(state);
-    const Disc* disc = state.discs.disc.data();
-    const Reference* reference = p.inner_reference.data();
-    const auto outer_count = static_cast<std::uint32_t>(p.i.size());
-    p.inner.push_back(outer_count);  // sentinels: never met
-    p.tangential_m.push_back(0.0);
     const bool rolling_springs = !work.rolling_Nm.empty();
-    if (rolling_springs) work.rolling_Nm.push_back(0.0);
     std::size_t kept = 0, old = 0;
     for (Block& block : work.block) {
         block.pair_begin = static_cast<std::uint32_t>(kept);
-        const std::size_t most = kept + (block.outer_end - block.outer_begin);
-        for (auto* list : {&work.i, &work.j, &work.next_inner}) lengthen(*list, most);
-        for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) lengthen(*list, most);
-        if (rolling_springs) lengthen(work.next_rolling_Nm, most);
-        for (std::uint32_t n = block.outer_begin; n < block.outer_end; ++n) {
-            const bool was_listed = p.inner[old] == n;
-            work.i[kept] = p.i[n], work.j[kept] = p.j[n];
-            work.damping_Ns_m[kept] = work.outer_damping_Ns_m[n];
-            work.next_inner[kept] = n;
-            work.next_spring_m[kept] = was_listed ? p.tangential_m[old] : 0.0;
-            if (rolling_springs) work.next_rolling_Nm[kept] = was_listed ? work.rolling_Nm[old] : 0.0;
-            old += was_listed ? 1U : 0U;
-            const double skins_m = reference[p.i[n]].skin_m + reference[p.j[n]].skin_m;
-            kept += is_within(disc[p.i[n]], disc[p.j[n]], skins_m) ? 1U : 0U;
-        }
+        kept = choose_inner_pairs(block, state, work, kept);
         block.pair_end = static_cast<std::uint32_t>(kept);
+        const std::size_t begin = old;
+        while (old < p.inner.size() && p.inner[old] < block.outer_end) ++old;
+        carry_springs(block, begin, old, p, p.tangential_m, work, work.next_spring_m);
+        if (rolling_springs) carry_springs(block, begin, old, p, work.rolling_Nm, work, work.next_rolling_Nm);
     }
     for (auto* list : {&work.i, &work.j, &work.next_inner}) list->resize(kept);
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(kept);
