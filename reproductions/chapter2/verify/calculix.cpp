@@ -89,11 +89,13 @@ std::string to_input(const Problem& p, Form form, double thickness_m) {
                        press_m);
 }
 
-double stiffness_calculix_N_m(const Problem& p, Form form, const std::string& job) {
+/// Runs in its directory: the solver leaves files of fixed names where it runs.
+double stiffness_calculix_N_m(const Problem& p, Form form, const std::string& directory, const std::string& name) {
+    const std::string job = directory + "/" + name;
     // Thin, so that no shear across the thickness stiffens CPS4.
     const double thickness_m = form == Form::thin_cps4 ? 1e-4 : p.wheel.width_m;
     write_text(job + ".inp", to_input(p, form, thickness_m));
-    if (std::system(fmt::format("OMP_NUM_THREADS=1 ccx {0} > {0}.log 2>&1", job).c_str()) != 0)
+    if (std::system(fmt::format("cd {0} && OMP_NUM_THREADS=1 ccx {1} > {1}.log 2>&1", directory, name).c_str()) != 0)
         fail_input(
             fmt::format("CalculiX did not solve {}.inp (is it installed?). Run apt-get install calculix-ccx, or "
                         "read {}.log.",
@@ -122,15 +124,15 @@ void measure_calculix(Output& out, Effort) {
         for (const auto& [name, young_Pa] : {std::pair{"B3", 0.05e6}, std::pair{"B6", 0.3e6}}) {
             const Problem p = make_problem(young_Pa, plane);
             const double here = 1e-3 * stiffness_here_N_m(p);
-            const std::string job = fmt::format("{}/{}-{}", out.directory(), name, state);
+            const std::string job = fmt::format("{}-{}", name, state);
             const Form form = plane == PlaneState::stress ? Form::equivalent_strain : Form::plane_strain;
-            const double there = 1e-3 * stiffness_calculix_N_m(p, form, job);
+            const double there = 1e-3 * stiffness_calculix_N_m(p, form, out.directory(), job);
             out.add(fmt::format("calculix_{}_{}", name, state), here / there, "-",
                     fmt::format("{:.5g} N/mm here, {:.5g} N/mm there", here, there));
             rows.push_back({name, state, number(here), number(there)});
             if (plane == PlaneState::stress)
                 out.add(fmt::format("calculix_{}_cps4", name),
-                        1e-3 * stiffness_calculix_N_m(p, Form::thin_cps4, job + "-cps4") / here, "-",
+                        1e-3 * stiffness_calculix_N_m(p, Form::thin_cps4, out.directory(), job + "-cps4") / here, "-",
                         "CalculiX’s own plane stress element over ours: nodes share their change of thickness");
         }
     }
