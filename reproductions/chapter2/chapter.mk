@@ -12,14 +12,14 @@ VERIFY  := build/chapter2_verify
 COMMAND ?= make $(if $(QUICK),quick,reproduce)-chapter2
 
 # The longest first, so that both cores end together. CalculiX and the travels only in full.
-TOPICS  := heap sand footing packing traction contact elements integration $(if $(QUICK),,calculix)
+TOPICS  := heap sand footing silo packing traction contact elements integration $(if $(QUICK),,calculix)
 ALL     := $(TOPICS) $(if $(QUICK),,travels)
 DONE    := $(addprefix $(OUT)/,$(addsuffix /measurements.csv,$(TOPICS)))
 
-# The maps of where methods fail: targets limits and limits-quick, results in build/runs/chapter2/limits.
+# The maps of where methods fail: targets limits and limits-quick, results in the folder limits beside the topics.
 LIMITS  := $(wildcard $(CHAPTER)/limits/limits.mk)
 include $(LIMITS)
-LIMITS_OUT := $(if $(LIMITS),build/runs/chapter2/limits)
+LIMITS_OUT := $(if $(LIMITS),$(OUT)/limits)
 
 .PHONY: reproduce quick measure travels calculix-package report
 .SECONDARY:
@@ -49,13 +49,13 @@ calculix-package:
 	@command -v ccx > /dev/null || { s=$$([ "$$(id -u)" = 0 ] || echo sudo); $$s apt-get update -qq && \
 	  $$s env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends calculix-ccx; }
 
-# Claims of both halves are judged together, so they and the figures are gathered in one folder first.
+# Claims of both halves are judged together, so they and the figures are gathered in one folder first; the program reads
+# the claims of a folder below, too.
 JUDGED := $(OUT)/judged
 DIRS   := $(addprefix $(OUT)/,$(ALL)) $(LIMITS_OUT)
 report:
 	@rm -rf $(JUDGED) && mkdir -p $(JUDGED) && cp $(CHAPTER)/*.gp $(CHAPTER)/*.csv $(JUDGED)
 	@[ ! -d $(CHAPTER)/limits ] || cp -r $(CHAPTER)/limits $(JUDGED)
-	@[ ! -f $(CHAPTER)/limits/claims.csv ] || tail -n +2 $(CHAPTER)/limits/claims.csv >> $(JUDGED)/claims.csv
 	@$(IFEDEM) report $(JUDGED)/claims.csv $(DIRS) -o $(REPORT) \
 	  --title "Chapter 2: the formulation verified, and where each method fails" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"

@@ -1,7 +1,7 @@
-# Maps of where methods fail, into build/runs/chapter2/limits. From the top level's directory, after `make build`:
+# Maps of where methods fail, into build/runs/chapter2/limits (limits-quick: build/runs/quick2/limits). From the top level's directory, after `make build`:
 #   make -f reproductions/chapter2/limits/limits.mk limits
 JOBS        ?= $(shell nproc)
-MAPS_OUT    := build/runs/chapter2/limits
+MAPS_OUT     = build/runs/$(if $(filter limits-quick,$@),quick2,chapter2)/limits
 MAPS_TOPICS := scenes control elements contacts rolling coupling cost
 
 .PHONY: limits limits-quick
