@@ -104,9 +104,8 @@ struct RingGive {
 };
 
 /// A quarter of the ring, inextensional in theory: π/4 − 2/π along the load, 2/π − 1/2 across it.
-inline RingGive squeeze_ring() {
+inline RingGive squeeze_ring(std::uint32_t columns = 480) {
     constexpr double radius = 1, height = 0.04, force = 1e-3;
-    constexpr std::uint32_t columns = 480;
     const Material m{4e6, 0, 1200, 0};
     const Mesh mesh = make_grid(columns, 1, [=](double i, double j) {
         const double angle = pi / 2 * (1 - i / columns);  // from the load at the top clockwise, so outwards is +j

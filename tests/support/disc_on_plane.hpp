@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "support/dem_scenes.hpp"
 
@@ -70,6 +71,7 @@ inline Disc stop_block(double friction, double speed_m_s) {
 /// A column of equal discs at rest: the sum of its overlaps in m g/K_n, and the worst overlap's relative error.
 struct Column {
     double sum = 0, worst = 0;
+    std::vector<double> overlap;  ///< from the floor upwards
 };
 inline Column settle_column(int count) {
     constexpr double mass = 0.005, radius = 0.0025;
@@ -87,6 +89,7 @@ inline Column settle_column(int count) {
         below = disc_of(w, static_cast<std::uint32_t>(k)).y_m;
         column.worst = std::fmax(column.worst, std::fabs(overlap / ((count - k) * unit) - 1));
         column.sum += overlap / unit;
+        column.overlap.push_back(overlap / unit);
     }
     return column;
 }

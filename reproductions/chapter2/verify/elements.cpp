@@ -1,4 +1,6 @@
 // Eqs 2.4 and 2.5: constant strain, bending, large deflection, rotation, waves.
+#include "elements.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,16 +25,37 @@ void measure_patch(Output& out) {
     }
 }
 
+/// The patch's quads at rest and under the strain, drawn 100 times as large.
+void draw_patch(std::vector<std::vector<std::string>>& rows) {
+    const Mesh mesh = make_distorted_patch();
+    for (const auto& quad : mesh.quad) {
+        for (std::size_t a = 0; a <= 4; ++a) {
+            const Vec2 p = mesh.node_m[quad[a % 4]];
+            const Vec2 moved = p + 100 * Vec2{1e-3 * p.x + 3e-4 * p.y, 3e-4 * p.x - 4e-4 * p.y};
+            rows.push_back({"patch", number(p.x), number(p.y), number(moved.x), number(moved.y)});
+        }
+        rows.push_back({});
+    }
+}
+
 /// Compressed by 3 % between smooth sides, as the soil elements of chapter 5: E 1.7 MPa, ν 0.3, plane strain.
 void measure_confined(Output& out) {
     constexpr Material soil{1.7e6, 0.3, 2195, 0};
     const Mesh mesh = make_distorted_patch();
     const ElementSet set = make_elements(mesh, everywhere(soil), thickness_m, PlaneState::strain);
     std::vector<Vec2> position = mesh.node_m;
-    for (Vec2& p : position) p.y *= 0.97;
+    std::vector<std::vector<std::string>> rows;
     double mean = 0;
-    for (const Element& e : set.element)
-        mean -= centroid_stress_Pa(e, soil, PlaneState::strain, position)[1] / static_cast<double>(set.element.size());
+    for (int percent = 0; percent <= 3; ++percent) {
+        for (std::size_t n = 0; n < position.size(); ++n) position[n].y = (1 - 0.01 * percent) * mesh.node_m[n].y;
+        mean = 0;
+        for (const Element& e : set.element)
+            mean -=
+                centroid_stress_Pa(e, soil, PlaneState::strain, position)[1] / static_cast<double>(set.element.size());
+        rows.push_back({"confined", std::to_string(percent), number(1e-3 * mean), "", ""});
+    }
+    draw_patch(rows);
+    out.write_table("constant_strain.csv", "kind,x,y,moved_x,moved_y", rows);
     out.add("confined_stress", 1e-3 * mean, "kPa", "3 %, E 1.7 MPa, ν 0.3, plane strain");
 }
 
@@ -76,24 +99,43 @@ void measure_rotation(Output& out) {
     out.add("rotation_force_linear", turn_square(pi / 6).linear, "-", "f = K u to the letter, at 30°, over E t h");
 }
 
-void measure_bending(Output& out) {
-    std::vector<double> error;
-    std::vector<std::vector<std::string>> rows;
-    for (const std::uint32_t n : {1U, 2U, 4U, 8U, 16U}) {
-        error.push_back(bend_cantilever(n));
-        rows.push_back({std::to_string(n), number(std::fabs(error.back()))});
+/// The elastica itself: θ″ = −α cos θ, θ(0) = 0, θ′(1) = 0, by shooting with the midpoint rule. Shortening and rise.
+Vec2 integrate_elastica(double alpha) {
+    constexpr int steps = 1000;
+    constexpr double ds = 1.0 / steps;
+    double low = 0, high = alpha;
+    Vec2 tip;
+    for (int k = 0; k < 50; ++k) {
+        double angle = 0, curvature = 0.5 * (low + high);
+        tip = {1, 0};
+        for (int n = 0; n < steps; ++n) {
+            const double middle = angle + 0.5 * ds * curvature;
+            tip += ds * Vec2{-std::cos(middle), std::sin(middle)};
+            const double half = curvature - 0.5 * ds * alpha * std::cos(angle);
+            curvature -= ds * alpha * std::cos(middle);
+            angle += ds * half;
+        }
+        (curvature > 0 ? high : low) = 0.5 * (low + high);
     }
-    out.write_table("cantilever.csv", "rows,error", rows);
-    out.add("cantilever_tip", 1 + error[3], "-", "tip deflection over Timoshenko's, 80 × 8 quads");
-    out.add("cantilever_order", observed_order(error[2], error[3], error[4]), "-", "in the quad's size: 4, 8, 16 rows");
-    rows.clear();
+    return tip;
+}
+
+void measure_bending(Output& out) {
+    const double four = bend_cantilever(4), eight = bend_cantilever(8), sixteen = bend_cantilever(16);
+    out.add("cantilever_tip", 1 + eight, "-", "tip deflection over Timoshenko's, 80 × 8 quads");
+    out.add("cantilever_order", observed_order(four, eight, sixteen), "-", "in the quad's size: 4, 8, 16 rows");
+    std::vector<std::vector<std::string>> rows;
     for (const double alpha : {1.0, 2.0, 4.0, 10.0}) {
         const Vec2 tip = bend_elastica(alpha);
         out.add(fmt::format("elastica_rise_{:g}", alpha), tip.y, "-", "w/L; 220 × 1 quads");
         out.add(fmt::format("elastica_shortening_{:g}", alpha), tip.x, "-", "u/L");
-        rows.push_back({number(alpha), number(tip.y), number(tip.x)});
+        rows.push_back({"quads", number(alpha), number(tip.y), number(tip.x)});
     }
-    out.write_table("elastica.csv", "alpha,rise,shortening", rows);
+    for (double alpha = 0.25; alpha < 10.1; alpha += 0.25) {
+        const Vec2 tip = integrate_elastica(alpha);
+        rows.push_back({"closed", number(alpha), number(tip.y), number(tip.x)});
+    }
+    out.write_table("elastica.csv", "kind,alpha,rise,shortening", rows);
     const RingGive ring = squeeze_ring();
     out.add("ring_along", ring.along, "-", "P R³/EI; a quarter of 480 quads");
     out.add("ring_across", ring.across, "-", "P R³/EI");
@@ -117,7 +159,9 @@ void measure_elements(Output& out, Effort) {
     measure_confined(out);
     measure_rotation(out);
     measure_bending(out);
+    measure_membranes(out);
     measure_waves(out);
+    measure_exact_waves(out);
 }
 
 }  // namespace ifedem::chapter2

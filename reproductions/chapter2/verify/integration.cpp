@@ -69,6 +69,20 @@ double measured_frequency(double omega_dt) {
     return pi * (crossings - 1) / (last - first);
 }
 
+/// |λ| of the damped oscillator: u_n² − u_{n+1} u_{n−1} changes by |λ|² a step, whatever the phase.
+double measured_decay(double omega_dt, double zeta) {
+    Oscillator o(omega_dt, zeta);
+    double u_old = o.before(), u = 1, first = 0, last = 0;
+    constexpr int steps = 20;
+    for (int n = 0; n <= steps; ++n) {
+        const double next = o.advance();
+        last = u * u - next * u_old;
+        if (n == 0) first = last;
+        u_old = u, u = next;
+    }
+    return std::pow(last / first, 0.5 / steps);
+}
+
 /// Largest ω Δt that stays bounded, by bisection. 10⁵ steps tell a growth of 10⁻⁴ a step: 10⁻⁹ of the limit.
 double measured_limit() {
     double low = 1, high = 3;
@@ -100,9 +114,13 @@ void measure_central_difference(Output& out) {
     std::vector<std::vector<std::string>> rows;
     for (const double omega_dt : {0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8, 1.9, 1.95}) {
         const double closed = 2 / omega_dt * std::asin(omega_dt / 2), got = measured_frequency(omega_dt);
-        rows.push_back({number(omega_dt), number(closed - 1), number(got - 1)});
+        // The physical decay is exp(−ζ ω Δt); the scheme's is √((1 − ζ ω Δt)/(1 + ζ ω Δt)).
+        constexpr double zeta = 0.2;
+        const double decay = std::log(measured_decay(omega_dt, zeta)) / (-zeta * omega_dt);
+        rows.push_back({number(omega_dt), number(closed - 1), number(got - 1), number(decay - 1)});
     }
-    out.write_table("frequency.csv", "omega_dt,closed_error,measured_error", rows);
+    out.write_table("frequency.csv", "omega_dt,closed_error,measured_error,decay_error", rows);
+    out.add("central_difference_decay", measured_decay(1, 0.2), "-", "amplitude from step to step, ω Δt = 1, ζ = 0.2");
     out.add("central_difference_frequency", measured_frequency(1), "-", "ω_num/ω at ω Δt = 1 over 1000 periods");
     out.add("central_difference_order",
             observed_order(measured_frequency(0.2), measured_frequency(0.1), measured_frequency(0.05)), "-",
@@ -132,6 +150,36 @@ void measure_free_fall(Output& out) {
                            free_fall_error(Integrator::symplectic_euler, 5e-4),
                            free_fall_error(Integrator::symplectic_euler, 2.5e-4)),
             "-", "a disc from rest: v stands half a step behind");
+}
+
+/// Angle turned over ω0 t − ½ α t², less 1, of a disc that Eq 2.18 brakes on a frictionless plane by a constant moment.
+double spin_error(Integrator integrator, double dt) {
+    World w = make_disc_on_plane(0, 0, 2, {0, SpinDown::omega_rad_s});
+    w.scene.dem.step_s = dt;
+    w.scene.c.integrator = integrator;
+    if (integrator != Integrator::symplectic_euler) w.state.discs.acceleration = {{0, 0, -spin_loss_rad_s2(), 0}};
+    constexpr double time_s = 0.2;
+    advance(w, static_cast<std::int64_t>(std::llround(time_s / dt)));
+    const double closed = SpinDown::omega_rad_s * time_s - 0.5 * spin_loss_rad_s2() * time_s * time_s;
+    return disc_of(w, 0).angle_rad / closed - 1;
+}
+
+/// A constant force and a constant moment, exact for Eqs 2.9–2.12 at any step.
+void measure_constant_load(Output& out) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Integrator i : all_integrators) {
+        const std::string name = name_of(i);
+        for (const double dt : {1e-4, 5e-5, 2.5e-5, 1.25e-5})
+            rows.push_back({name, number(1e6 * dt), number(std::fabs(free_fall_error(i, dt))),
+                            number(std::fabs(spin_error(i, dt)))});
+        if (i == Integrator::symplectic_euler)
+            out.add("spin_order_symplectic",
+                    observed_order(spin_error(i, 1e-4), spin_error(i, 5e-5), spin_error(i, 2.5e-5)), "-",
+                    "of the angle turned; steps of 100, 50, 25 µs");
+        else
+            out.add("spin_angle_" + name, spin_error(i, 1e-4), "-", "angle over ω0 t − ½ α t², less 1; 2000 steps");
+    }
+    out.write_table("constant_load.csv", "integrator,step_us,fall_error,spin_error", rows);
 }
 
 /// Eqs 2.1 and 2.2 for a disc that slides down 30° at half the friction that it needs to roll.
@@ -180,6 +228,7 @@ void measure_collision_order(Output& out, Effort effort) {
 void measure_integration(Output& out, Effort effort) {
     measure_central_difference(out);
     measure_free_fall(out);
+    measure_constant_load(out);
     measure_motion_on_incline(out);
     measure_collision_order(out, effort);
 }

@@ -20,6 +20,7 @@ int run_program(int argc, char** argv) {
                                                                   {"heap", measure_heap},
                                                                   {"sand", measure_sand},
                                                                   {"footing", measure_footing},
+                                                                  {"silo", measure_silo},
                                                                   {"calculix", measure_calculix}};
     CLI::App app{"chapter2_verify: measures one topic of chapter 2"};
     std::string topic, directory, runs;

@@ -11,6 +11,7 @@ void measure_heap(Output& out, Effort effort);         ///< angle of repose
 void measure_packing(Output& out, Effort effort);      ///< porosity of the bed
 void measure_sand(Output& out, Effort effort);         ///< biaxial and confined compression
 void measure_footing(Output& out, Effort effort);      ///< section 2.2: discs over soil elements
+void measure_silo(Output& out, Effort effort);         ///< Janssen's stress between rough walls
 void measure_calculix(Output& out, Effort effort);     ///< radial stiffness of a wheel, by CalculiX too
 
 /// What travels that were run already say (travel.mk).

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "known_contacts.hpp"
 #include "support/wheel_scenes.hpp"
 #include "topics.hpp"
 #include "traction/control.hpp"
@@ -44,6 +45,33 @@ void evaluate_contacts(World& w) {
     add_wheel_contacts(w.scene.dem, w.scene.wheel, w.state, w.work.dem, w.work.wheel, 0);
 }
 
+/// Means over a few steps of a travel, for the figure: H, |R|, P_d = −P, H − |R| less the wheel's change of momentum
+/// (Eq 2.15), and the slip (Eq 2.16).
+struct Window {
+    static constexpr std::int64_t steps = 100;
+    SeriesSums sums;
+    double momentum_Ns = 0, time_s = 0;
+    std::vector<std::vector<std::string>> rows;
+
+    explicit Window(const World& w) : sums(w.state.series), momentum_Ns(momentum_x_Ns(w)) {}
+
+    void close(const Case& c, const World& w) {
+        const SeriesSums& now = w.state.series;
+        const double duration = steps * w.scene.dem.step_s;
+        const auto mean = [&](double SeriesSums::*sum) { return (now.*sum - sums.*sum) / steps; };
+        const double h = mean(&SeriesSums::fx_positive_N), r = -mean(&SeriesSums::fx_negative_N);
+        const double rate = (momentum_x_Ns(w) - momentum_Ns) / duration;
+        const double circumferential = c.wheel.tread_radius_m * mean(&SeriesSums::omega_clockwise_rad_s);
+        const double slip = 100 * (1 - mean(&SeriesSums::hub_speed_m_s) / circumferential);
+        rows.push_back({number(time_s + 0.5 * duration), number(h), number(r), number(-mean(&SeriesSums::drawbar_N)),
+                        number(h - r - rate), number(slip)});
+        sums = now, momentum_Ns = momentum_x_Ns(w), time_s += duration;
+    }
+
+private:
+    static double momentum_x_Ns(const World& w) { return ifedem::momentum_Ns(w.scene.wheel, w.state.wheel).x; }
+};
+
 void measure_travel(Output& out, ControlScheme scheme, const std::string& name) {
     Case c = make_wheel_case(WheelBody::rigid_rim);
     c.control.scheme = scheme;
@@ -52,12 +80,16 @@ void measure_travel(Output& out, ControlScheme scheme, const std::string& name) 
     w.state.series = {};
     constexpr std::int64_t steps = 4000;
     Shares worst;
+    Window window(w);
     for (std::int64_t n = 0; n < steps; ++n) {
         advance(w, 1);
+        if ((n + 1) % Window::steps == 0) window.close(c, w);
         if (n % 20 != 0) continue;
         evaluate_contacts(w);
         compare_shares(w, worst);
     }
+    if (scheme == ControlScheme::prescribed)
+        out.write_table("balance.csv", "time_s,gross_N,resistance_N,drawbar_N,net_N,slip_percent", window.rows);
     const Vec2 rate = (1 / (steps * w.scene.dem.step_s)) * (momentum_Ns(w.scene.wheel, w.state.wheel) - momentum);
     const SeriesSums& s = w.state.series;
     const double h = s.fx_positive_N / steps, r = s.fx_negative_N / steps, p = s.drawbar_N / steps, fy = s.fy_N / steps;
@@ -75,6 +107,7 @@ void measure_travel(Output& out, ControlScheme scheme, const std::string& name) 
 }  // namespace
 
 void measure_traction(Output& out, Effort) {
+    measure_known_contacts(out);
     measure_travel(out, ControlScheme::semi_implicit, "pid");
     measure_travel(out, ControlScheme::prescribed, "prescribed");
 }
