@@ -19,8 +19,16 @@ struct CheckResult {
 };
 [[nodiscard]] CheckResult check_claims(const std::string& claims_path, const std::vector<std::string>& run_dirs);
 
-/// checks.csv, columns as in the manual.
+/// The chapter's claims, then those of its folders that have some.
+[[nodiscard]] std::vector<Claim> read_all_claims(const std::string& path, const Ledger& ledger);
+
+/// checks.csv: a line an outcome; U stands in the last column.
 [[nodiscard]] std::string checks_to_csv(const std::vector<Outcome>& outcomes);
+
+/// The way back, as far as the file goes: evidence and detail are both in `detail`, and a check whose claim is gone has
+/// comparison `none`. Throws Error(bad_input) for a row that is not of the ledger.
+[[nodiscard]] std::vector<Outcome> read_checks(const std::string& path, const std::vector<Claim>& claims,
+                                               const Ledger& ledger);
 
 /// How often each verdict was given, best first.
 [[nodiscard]] std::array<std::size_t, verdict_count> count_verdicts(const std::vector<Outcome>& outcomes);

@@ -125,6 +125,14 @@ TEST_F(Project, UntrimmedWindowsWouldShowTheRipple) {
     EXPECT_GT(std::abs(raw - 90), 1);
 }
 
+TEST_F(Project, FoldersAddClaimsButNoneTwice) {
+    const std::string ratio = "D110,gravity_ratio,,,,,,equal,,0.001,digits,match,,\n";
+    write_text((root / "more/claims.csv").string(), claims_header + ratio);
+    EXPECT_EQ(check(h_earth, {}).outcomes.at(1).claim.id, "D110");
+    const std::string message = message_of([&] { check(h_earth + ratio, {}); });
+    EXPECT_NE(message.find("D110 is claimed here and in a folder beside it"), std::string::npos) << message;
+}
+
 TEST_F(Project, RunsThatFallShortAreNotJudgedButDoNotStopTheOthers) {
     auto runs = three_runs(101, 102, 103);
     // Told to go 0.8 m, stopped at 0.5 m.
@@ -227,7 +235,7 @@ TEST_F(Project, MissingRunsAndMissingRowsFailTheCheck) {
     EXPECT_EQ(fmt::format("{}", fmt::join(table.header, ",")),
               "id,chapter,quantity,units,condition,reference,computed,scatter,n,tolerance,error_over_tolerance,verdict,"
               "expected,"
-              "evidence,source");
+              "evidence,source,uncertainty");
 }
 
 TEST_F(Project, MeasurementsStandBesideRuns) {
