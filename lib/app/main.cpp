@@ -21,6 +21,7 @@
 #include "app/watch.hpp"
 #include "check/check.hpp"
 #include "check/effects.hpp"
+#include "check/front_page.hpp"
 #include "check/points.hpp"
 #include "check/report.hpp"
 #include "record/checkpoint.hpp"
@@ -290,6 +291,14 @@ int run_program(int argc, char** argv) {
     profile->add_option("run", surface.run, "run directory")->required();
     profile->add_option("-o,--output", surface.output, "CSV file")->required();
     profile->callback([&] { write_surface(surface); });
+    std::string conclusions, page;
+    std::vector<std::string> reports;
+    auto* ledger = app.add_subcommand("ledger", "every statement of the text on one page, from reports of chapters");
+    ledger->add_option("conclusions", conclusions, "conclusions.csv: what the text concludes and from what")
+        ->required();
+    ledger->add_option("reports", reports, "directories chapterN with checks.csv")->required();
+    ledger->add_option("-o,--output", page, "directory of index.html and README.md")->required();
+    ledger->callback([&] { write_front_page(conclusions, reports, page); });
     auto* follow = app.add_subcommand("watch", "overall progress of a set of runs");
     follow->add_option("runs", watch.directories, "run directories")->required();
     follow->callback([&] { watch_runs(watch); });

@@ -18,7 +18,8 @@ struct BulletList {
 
 struct Cell {
     std::string text;
-    std::string style;  ///< CSS class such as a verdict
+    std::string style = {};  ///< CSS class such as a verdict
+    std::string link = {};   ///< where the text leads, "" if nowhere
 };
 
 struct Table {

@@ -21,6 +21,11 @@ std::string render(const BulletList& list, const std::string&) {
     return out + "</ul>\n";
 }
 
+std::string render(const Cell& cell) {
+    if (cell.link.empty()) return typeset(cell.text);
+    return fmt::format("<a href=\"{}\">{}</a>", escape_html(cell.link), typeset(cell.text));
+}
+
 std::string render(const Table& table, const std::string&) {
     std::string out = fmt::format("<div class=\"table {}\"><table>\n", table.style);
     if (!table.caption.empty()) out += fmt::format("<caption>{}</caption>\n", typeset(table.caption));
@@ -36,7 +41,7 @@ std::string render(const Table& table, const std::string&) {
         for (std::size_t k = 0; k < row.size(); ++k)
             // The label lets the style sheet turn rows into cards where the screen is narrow.
             out += fmt::format("<td{} data-label=\"{}\"><span>{}</span></td>", class_attribute(row[k].style),
-                               escape_html(table.header[k]), typeset(row[k].text));
+                               escape_html(table.header[k]), render(row[k]));
         out += "</tr>\n";
     }
     out += "</tbody></table></div>\n";

@@ -15,6 +15,11 @@ std::string markdown_cell(const std::string& text) {
     return out;
 }
 
+std::string markdown_cell(const Cell& cell) {
+    const std::string text = markdown_cell(cell.text);
+    return cell.link.empty() ? text : fmt::format("[{}]({})", text, cell.link);
+}
+
 std::string render(const Paragraph& p) { return p.text + "\n\n"; }
 
 std::string render(const BulletList& list) {
@@ -34,7 +39,7 @@ std::string render(const Table& table) {
     out += "\n" + rule + "\n";
     for (const auto& row : table.rows) {
         out += "|";
-        for (const auto& cell : row) out += " " + markdown_cell(cell.text) + " |";
+        for (const auto& cell : row) out += " " + markdown_cell(cell) + " |";
         out += "\n";
     }
     if (!table.data_file.empty()) out += fmt::format("\n[{0}]({0})\n", table.data_file);

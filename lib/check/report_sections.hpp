@@ -8,6 +8,14 @@
 
 namespace ifedem {
 
+// Words of one check, as all reports say them.
+
+/// "99 ± 12 N", or the statistic of a trend.
+[[nodiscard]] std::string computed_text(const Outcome& o);
+/// What the text says, and where; a statement in words with the number that stands for it.
+[[nodiscard]] std::string statement_text(const Outcome& o);
+[[nodiscard]] Cell verdict_cell(const Outcome& o);
+
 // The report's sections, each from outcomes and runs to blocks.
 
 [[nodiscard]] Section summary_section(const std::vector<Outcome>& outcomes);

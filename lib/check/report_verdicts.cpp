@@ -20,19 +20,6 @@ std::string with_uncertainty(double value, double uncertainty) {
     return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, uncertainty, decimals);
 }
 
-std::string computed_text(const Outcome& o) {
-    if (!o.computed) return "–";
-    if (o.claim.comparison == Comparison::linear)
-        return fmt::format("off its chord by {:.1f} ± {:.1f} %", 100 * *o.computed, 100 * o.uncertainty);
-    if (o.claim.comparison == Comparison::increasing || o.claim.comparison == Comparison::decreasing)
-        return fmt::format("τ = {:.2f}", *o.computed);
-    if (o.claim.comparison == Comparison::cross || o.claim.comparison == Comparison::not_cross)
-        return fmt::format("spread {:.0f} % of slip", *o.computed);
-    if (is_about_curves(o.claim.comparison))
-        return "difference " + with_uncertainty(*o.computed, o.uncertainty) + units_after(o);
-    return with_uncertainty(*o.computed, o.uncertainty) + units_after(o);
-}
-
 std::string reference_text(const Outcome& o) {
     switch (o.claim.comparison) {
         case Comparison::above:
@@ -48,7 +35,21 @@ std::string reference_text(const Outcome& o) {
     }
 }
 
-/// What the text says, and where; a statement in words with the number that stands for it.
+}  // namespace
+
+std::string computed_text(const Outcome& o) {
+    if (!o.computed) return "–";
+    if (o.claim.comparison == Comparison::linear)
+        return fmt::format("off its chord by {:.1f} ± {:.1f} %", 100 * *o.computed, 100 * o.uncertainty);
+    if (o.claim.comparison == Comparison::increasing || o.claim.comparison == Comparison::decreasing)
+        return fmt::format("τ = {:.2f}", *o.computed);
+    if (o.claim.comparison == Comparison::cross || o.claim.comparison == Comparison::not_cross)
+        return fmt::format("spread {:.0f} % of slip", *o.computed);
+    if (is_about_curves(o.claim.comparison))
+        return "difference " + with_uncertainty(*o.computed, o.uncertainty) + units_after(o);
+    return with_uncertainty(*o.computed, o.uncertainty) + units_after(o);
+}
+
 std::string statement_text(const Outcome& o) {
     const bool is_side = o.claim.comparison == Comparison::above || o.claim.comparison == Comparison::below;
     const std::string what = is_side && o.ledger.kind == "qualitative"
@@ -62,6 +63,8 @@ Cell verdict_cell(const Outcome& o) {
     if (o.is_worse_than_expected()) text += fmt::format(" (expected {})", to_text(o.claim.expected));
     return {text, std::string(to_text(o.verdict))};
 }
+
+namespace {
 
 std::string error_text(const Outcome& o) {
     return o.error_over_tolerance ? fmt::format("{:+.2f}", *o.error_over_tolerance) : std::string("–");
