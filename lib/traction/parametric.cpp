@@ -17,6 +17,7 @@ namespace {
 
 constexpr double bottom_rad = 0.5 * pi;
 constexpr std::size_t most_intervals = 20000;
+constexpr double least_piece_rad = 1e-12;
 
 struct FreeWorkspace {
     void operator()(gsl_integration_workspace* w) const { gsl_integration_workspace_free(w); }
@@ -47,8 +48,9 @@ Integral integrate_smooth(const std::function<double(double)>& f, double from, d
 /// Piece by piece: at bottom dead centre the forms change, at kinks the stress.
 Integral integrate_arc(const StressField& field, const std::function<double(double)>& f, double floor) {
     std::vector<double> nodes{field.entry_rad, field.exit_rad};
+    // An end that a sum of angles has put beside a node: a piece of no more than round-off has no room for a rule's points.
     const auto add = [&](double at) {
-        if (at > field.entry_rad && at < field.exit_rad) nodes.push_back(at);
+        if (at > field.entry_rad + least_piece_rad && at < field.exit_rad - least_piece_rad) nodes.push_back(at);
     };
     add(bottom_rad);
     for (const double kink : field.kinks_rad) add(kink);

@@ -83,6 +83,19 @@ TEST(StressIntegrals, of_a_spline_are_those_of_what_it_passes_through) {
     EXPECT_EQ(spline(0.0), 0.0);
 }
 
+// An exit of "θ = 90°" that a sum of angles has left some bits beyond bottom dead centre, where a stress that ends
+// there is no more than round-off itself.
+TEST(StressIntegrals, end_beside_bottom_dead_centre_by_round_off) {
+    constexpr double s = 30e3, a = 65 * degree;
+    for (const double beyond_rad : {0.0, 2.3e-16, 3e-15, -3e-15}) {
+        const double end = 0.5 * pi + beyond_rad;
+        const auto sigma = [&](double t) { return s * std::pow(std::fmax(std::cos(t) - std::cos(end), 0.0), 1.15); };
+        const StressField field{sigma, [](double) { return 0.0; }, a, end, {}};
+        const double exact = s * std::pow(std::cos(a), 2.15) / 2.15;  // ∫ σ sinθ dθ
+        expect_close(integrate_stress(field, tyre).load_N, tyre.width_m * tyre.radius_m * exact, 1e3, "W");
+    }
+}
+
 TEST(StressIntegrals, nothing_to_integrate_is_refused) {
     const auto zero = [](double) { return 0.0; };
     EXPECT_THROW((void)integrate_stress(make_field(zero, zero, 90, 90), tyre), Error);
