@@ -18,7 +18,8 @@ double normal_Pa(const ParametricWheel& w, double slip, double entry, double at)
     if (at > entry || at < w.rear_rad) return 0;
     const double peak = peak_rad(w, slip, entry);
     const double front = at >= peak ? at : entry - (at - w.rear_rad) / (peak - w.rear_rad) * (entry - peak);
-    const double depth = w.arc.radius_m * (std::cos(front) - std::cos(entry));
+    // cos(front) − cos(entry) as a product: of angles that are both small the difference would be round-off.
+    const double depth = w.arc.radius_m * 2.0 * std::sin(0.5 * (entry + front)) * std::sin(0.5 * (entry - front));
     return depth > 0 ? w.pressure.modulus_Pa_mn * std::pow(depth, w.pressure.exponent) : 0.0;
 }
 
@@ -63,7 +64,7 @@ double find_entry_rad(const ParametricWheel& wheel, double slip, double load_N) 
     const std::unique_ptr<gsl_root_fsolver, FreeSolver> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
     // The first angle that carries the load: the load may fall again where the shear lifts less than it pushes down.
     constexpr int parts = 45;
-    constexpr double least = 1e-6;
+    constexpr double least = 1e-4;  // a nanometre of sinkage
     double high = least;
     for (int k = 1; k <= parts && Excess::at(high, &excess) < 0; ++k) high = 0.5 * pi * k / parts;
     const double low = std::fmax(least, high - 0.5 * pi / parts);

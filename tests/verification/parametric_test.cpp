@@ -156,6 +156,19 @@ TEST(ParametricWheel, without_shear_on_linear_soil_is_the_closed_form) {
     }
 }
 
+// The search for the entry angle begins with a contact of a hundredth of a degree: there cos x = 1 − x²/2, so that the
+// pressure goes with θ_1 to the power 2n and its sum to 2n + 1.
+TEST(ParametricWheel, on_hard_soil_is_integrated_over_a_narrow_contact) {
+    ParametricWheel w = make_wheel();
+    w.pressure.exponent = 1.15;
+    const auto load = [&](double entry) {
+        return integrate_stress(wheel_stress(w, 0.375, entry), tyre, Sharing::printed).load_N.value;
+    };
+    EXPECT_NEAR(load(2e-6) / load(1e-6), std::pow(2.0, 2 * 1.15 + 1), 1e-6);  // narrower than the search begins
+    EXPECT_NEAR(load(2e-4) / load(1e-4), std::pow(2.0, 2 * 1.15 + 1), 1e-6);
+    EXPECT_NEAR(load(2e-3) / load(1e-3), std::pow(2.0, 2 * 1.15 + 1), 1e-4);
+}
+
 TEST(ParametricWheel, with_full_strength_at_once_has_the_closed_torque) {
     ParametricWheel w = make_wheel();
     w.shear = {1e3, 0.6, 0};
