@@ -204,7 +204,7 @@ Finding judge_side(const Judge& j, const Quantity& q, double reference) {
 Finding judge_at_most(const Judge& j, const Quantity& q, double reference) {
     j.out.tolerance_text = "bound";
     j.out.error_over_tolerance = q.value / reference;
-    return q.value <= reference ? Finding::within : Finding::outside;
+    return compare_with_bound(q.value - reference, q.uncertainty);
 }
 
 std::variant<Finding, Missing> judge_number(const Judge& j) {

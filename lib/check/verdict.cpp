@@ -37,6 +37,11 @@ Finding compare_side(double margin, double uncertainty) {
     return margin >= -uncertainty ? Finding::too_uncertain : Finding::outside;
 }
 
+Finding compare_with_bound(double excess, double uncertainty) {
+    if (excess <= 0) return Finding::within;
+    return std::isfinite(uncertainty) && excess <= uncertainty ? Finding::too_uncertain : Finding::outside;
+}
+
 Verdict decide(Finding finding, Evidence evidence) {
     switch (finding) {
         case Finding::within:

@@ -24,6 +24,9 @@ enum class Finding { within, too_uncertain, outside };
 /// A one-sided statement: `margin` > 0 on the side that the text claims. It holds if margin > U, fails if margin < −U.
 [[nodiscard]] Finding compare_side(double margin, double uncertainty);
 
+/// A bound: it fails where the excess is more than its own uncertainty, if that is known (finite).
+[[nodiscard]] Finding compare_with_bound(double excess, double uncertainty);
+
 /// Outside turns into differs-explained only with evidence.
 enum class Evidence { none, given };
 [[nodiscard]] Verdict decide(Finding finding, Evidence evidence);

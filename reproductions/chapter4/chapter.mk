@@ -10,7 +10,7 @@ COMMAND ?= make reproduce-chapter4
 
 # WHAT-tyre-sSLIP-rREALISATION; WHAT is `text`, or a variant; m5 is −5 %. A realisation is a packing seed and a phase of the tyre's columns.
 SLIPS := 22 7.5 37.5 55 1 m5
-MAIN  := $(foreach s,$(SLIPS),text-tyre-s$(s)-r1) $(foreach r,2 3 4 5 6 7 8,text-tyre-s22-r$(r))
+MAIN  := $(foreach r,1 2 3 4,$(foreach s,$(SLIPS),text-tyre-s$(s)-r$(r))) $(foreach r,5 6 7 8,text-tyre-s22-r$(r))
 
 # What the text leaves open, one run each at 22 % beside the eight of the main campaign, which must be there.
 VARIANTS := rolling1 wall0 unlevelled loaded_slowly zeta0.05 zeta0.5 surface15 surface25 absolute \

@@ -3,7 +3,7 @@ load style
 set xrange [0:0.6]
 set xlabel "slip i [-]"
 set ylabel ylabel
-set key top left samplen 1.8 spacing 1.15 textcolor rgb ink
+set key bottom right samplen 1.8 spacing 1.15 textcolor rgb ink
 driven(x) = x >= 0.0749 ? x : NaN
 stats data using (driven($1)):2 every ::1 nooutput name "S"
 f(x) = S_intercept + S_slope * x

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <set>
 
 #include "check/trend.hpp"
@@ -419,6 +420,12 @@ TEST(Verdicts, EdgesAndOrder) {
     EXPECT_EQ(compare_within_uncertainty(std::nan(""), 5, 10), Finding::outside);
     EXPECT_EQ(compare_within_tolerance(1, 0.5, 1), Finding::within);
     EXPECT_EQ(compare_within_tolerance(1, 2, 1), Finding::too_uncertain);
+    EXPECT_EQ(compare_with_bound(-1, 5), Finding::within);
+    EXPECT_EQ(compare_with_bound(1, 5), Finding::too_uncertain);
+    EXPECT_EQ(compare_with_bound(6, 5), Finding::outside);
+    EXPECT_EQ(compare_with_bound(1, std::numeric_limits<double>::infinity()), Finding::outside);
+    EXPECT_EQ(compare_with_bound(1, 0), Finding::outside);
+    EXPECT_EQ(compare_with_bound(std::nan(""), 1), Finding::outside);
     EXPECT_EQ(compare_side(2, 1), Finding::within);
     EXPECT_EQ(compare_side(0.5, 1), Finding::too_uncertain);
     EXPECT_EQ(compare_side(-2, 1), Finding::outside);
