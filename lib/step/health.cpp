@@ -267,6 +267,7 @@ void begin_window(const Scene& scene, const State& state, const Workspace& work,
     watch.stored = measure_energy(scene, state, work);
     watch.ledger = state.energy;
     watch.squares_J2 = watch.rolling_gained_J = 0;
+    watch.conversions = state.soil.conversions.size();
 }
 
 }  // namespace
@@ -317,7 +318,8 @@ std::optional<Violation> check_health(const Scene& scene, const State& state, co
 
 std::optional<Violation> check_budget(const Scene& scene, const State& state, const Workspace& work,
                                       const EnergyFlow& sample, double interval_s, HealthWatch& watch) {
-    if (!watch.begun) {
+    // A conversion changes what is stored (its record says by how much): a window does not reach over one.
+    if (!watch.begun || watch.conversions != state.soil.conversions.size()) {
         begin_window(scene, state, work, watch);
         return std::nullopt;
     }

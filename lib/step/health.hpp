@@ -61,6 +61,7 @@ struct HealthWatch {
     EnergyLedger ledger;
     double squares_J2 = 0;        ///< Σ (flow · interval)² over samples and kinds: the variance of the sums
     double rolling_gained_J = 0;  ///< by samples in which the rolling resistance drives
+    std::size_t conversions = 0;  ///< of soil blocks, so far
     // Of a bed that should come to rest.
     std::uint64_t rest_begin = 0;
     double rest_J = 0;         ///< energy there; 0: not begun
@@ -86,6 +87,7 @@ struct HealthWatch {
 /// In each window, stored energy + losses − work should stay, and every loss be positive. What contradicts that fails
 /// if it is more than a quarter of all that was turned over, more than three standard errors of the sampled sums, and
 /// more than a hundredth of the kinetic energy; a rolling resistance also, if what it gave is more than that quarter.
+/// A conversion of soil begins a new window.
 /// The ledger holds the sample already. Only looks.
 [[nodiscard]] std::optional<Violation> check_budget(const Scene& scene, const State& state, const Workspace& work,
                                                     const EnergyFlow& sample, double interval_s, HealthWatch& watch);

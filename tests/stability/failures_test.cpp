@@ -247,6 +247,27 @@ TEST_P(Healthy, Passes) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Healthy, testing::ValuesIn(healthy));
 
+/// Every disc is pushed once, to and fro in turn.
+void push_once(State& s, std::uint64_t step) {
+    if (step != 2000) return;
+    for (std::size_t p = 0; p < s.discs.disc.size(); ++p)
+        s.discs.disc[p].vx_m_s += s.discs.id[p] % 2 == 0 ? 0.02 : -0.02;
+}
+
+// What a conversion of soil gains or loses stands in its record and is no drift.
+TEST(Healthy, ConversionOfSoilBeginsANewWindow) {
+    const Seed alone{"energy put in once", Stage::consolidation, Cause::energy_drift, as_it_is, push_once};
+    const Seed converted{"the same by a conversion", Stage::consolidation, Cause::energy_drift, as_it_is,
+                         [](State& s, std::uint64_t step) {
+                             push_once(s, step);
+                             if (step == 2000) s.soil.conversions.emplace_back();
+                         }};
+    const Outcome found = run_seed(alone, Begin::settled), passed = run_seed(converted, Begin::settled);
+    ASSERT_TRUE(found.found);
+    EXPECT_EQ(cause_name(found.found->cause), cause_name(Cause::energy_drift)) << to_text(*found.found);
+    EXPECT_FALSE(passed.found) << to_text(*passed.found);
+}
+
 TEST(Healthy, ConsolidationPassesFromTheBeginning) {
     for (const double gravity : {9.81, 3.71, 1.62}) {
         Case c = scene::small_case();
