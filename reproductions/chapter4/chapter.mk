@@ -13,8 +13,9 @@ SLIPS := 22 7.5 37.5 55 1 m5
 MAIN  := $(foreach r,1 2 3 4,$(foreach s,$(SLIPS),text-tyre-s$(s)-r$(r))) $(foreach r,5 6 7 8,text-tyre-s22-r$(r))
 
 # What the text leaves open, one run each at 22 % beside the eight of the main campaign, which must be there.
+GAINS    := $(foreach l,drawbar torque,$(foreach t,P I D,$(foreach f,0.1 10,$(l)$(t)$(f))))
 VARIANTS := rolling1 wall0 unlevelled loaded_slowly zeta0.05 zeta0.5 surface15 surface25 absolute \
-            drawbarP0.1 drawbarP10 drawbarI0.1 drawbarI10 drawbarD0.1 drawbarD10 torqueP0.1 torqueP10
+            $(GAINS)
 sets_of_text          :=
 sets_of_rolling1      := --set contact.rolling_factor=1
 sets_of_wall0         := --set contact.consolidation_friction_wall=0
@@ -33,6 +34,10 @@ sets_of_drawbarD0.1   := --set control.drawbar.derivative_N_s_m=1e3
 sets_of_drawbarD10    := --set control.drawbar.derivative_N_s_m=1e5
 sets_of_torqueP0.1    := --set control.torque.proportional_Nm_rad=1e4
 sets_of_torqueP10     := --set control.torque.proportional_Nm_rad=1e6
+sets_of_torqueI0.1    := --set control.torque.integral_Nm_rad_s=1e2
+sets_of_torqueI10     := --set control.torque.integral_Nm_rad_s=1e4
+sets_of_torqueD0.1    := --set control.torque.derivative_Nm_s_rad=1e2
+sets_of_torqueD10     := --set control.torque.derivative_Nm_s_rad=1e4
 # The step, from the default down; the text's own is `dt1.25e6`.
 STEPS := dt2e5 dt1e5 dt5e6
 sets_of_dt2e5   := --set time_step_s=2e-5
@@ -91,19 +96,24 @@ endif
 
 travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))
 
+# What the sensitivity runs found, if they were made.
+SENSITIVITY = $(patsubst %/measurements.csv,%,$(wildcard $(OUT)/sensitivity/measurements.csv $(OUT)/gains/measurements.csv))
+
 report: $(INPUTS)
 	@$(IFEDEM) soil $(addprefix $(OUT)/,$(PLATES)) -o $(OUT)/soil
 	@$(IFEDEM) stress $(fresh_runs) --soil $(OUT)/soil -o $(OUT)/stress
-	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress $(OUT)/soil -o $(REPORT) \
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress $(OUT)/soil $(SENSITIVITY) -o $(REPORT) \
 	  --title "Chapter 4: contact stress under a tyre" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
-	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress $(OUT)/soil -o $(REPORT)/checks.csv
+	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress $(OUT)/soil $(SENSITIVITY) -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
 
 table: $(INPUTS)
 	@mkdir -p $(REPORT)
 	@$(IFEDEM) effects --defaults $(wildcard $(OUT)/text-tyre-s22-r*) --variants $(fresh_runs) -o $(OUT)/$(SET)
 	@cp $(OUT)/$(SET)/effects.csv $(REPORT)/$(SET).csv
+	@[ $(SET) != sensitivity ] || { $(CHAPTER)/gains.sh $(OUT)/gains $(OUT)/$(call run_of,text) \
+	  $(foreach g,$(GAINS),$(wildcard $(OUT)/$(call run_of,$(g)))) && cp $(OUT)/gains/gains.csv $(REPORT)/gains.csv; }
 	@echo "table: $(REPORT)/$(SET).csv"
 
 QUICK := build/runs/quick4

@@ -1,0 +1,33 @@
+#!/bin/sh
+# gains.sh OUT DEFAULT RUN...: how well the controllers follow their targets with gains × 0.1 and × 10, runs named LOOPTERMxFACTOR-…
+# (drawbarP0.1-tyre-s22-r1), between x = 0.9 and 1.2 m. Writes OUT/gains.csv (rms error of hub speed and of angular velocity over the
+# target, in percent) and OUT/measurements.csv: the greatest change by an I or D gain over the greatest by a P gain, as
+# |ln(error / default's error)| of the loop's own quantity. Without a pair of each there is nothing to compare.
+set -eu
+out=$1
+shift
+mkdir -p "$out"
+for run in "$@"; do
+    name=$(basename "$run")
+    speed_m_s=$(sed -n 's/^speed_m_s = \([^ ]*\).*/\1/p' "$run/case.toml")
+    slip=$(sed -n 's/^slip_percent = \([^ ]*\).*/\1/p' "$run/case.toml")
+    awk -F, -v name="${name%%-*}" -v target="$speed_m_s" -v slip="$slip" '
+        FNR == 1 { for (k = 1; k <= NF; ++k) at[$k] = k; next }
+        $at["wheel_x_m"] >= 0.9 && $at["wheel_x_m"] <= 1.2 {
+            v = $at["hub_speed_m_s"] / (target * (1 - slip / 100)) - 1; w = $at["omega_rad_s"] / $at["commanded_omega_rad_s"] - 1
+            speed += v * v; turning += w * w; ++n }
+        END { if (n) printf "%s,%.4g,%.4g\n", name, 100 * sqrt(speed / n), 100 * sqrt(turning / n) }' "$run/series.csv"
+done > "$out/rows"
+{ echo "gain,speed_error_percent,turning_error_percent"; cat "$out/rows"; } > "$out/gains.csv"
+rm "$out/rows"
+awk -F, '
+    BEGIN { print "name,value,units,scatter,n,note" }
+    FNR == 2 { speed = $2; turning = $3; next }
+    FNR > 2 && match($1, /^(drawbar|torque)[PID]/) {
+        change = $1 ~ /^drawbar/ ? log($2 / speed) : log($3 / turning)
+        if (change < 0) change = -change
+        term = substr($1, RLENGTH, 1) == "P" ? "P" : "ID"; ++seen[term]
+        if (change > most[term]) most[term] = change }
+    END {
+        if (seen["P"] && seen["ID"]) printf "gain_sensitivity,%.4g,-,0,1,greatest |ln(error / default)| by I and D gains over that by P gains: %.3g over %.3g\n",
+            most["ID"] / most["P"], most["ID"], most["P"] }' "$out/gains.csv" > "$out/measurements.csv"
