@@ -98,8 +98,8 @@ Section conclusions_section(const FrontPage& page) {
     return {"conclusions", "The three conclusions", {std::move(t)}};
 }
 
-/// What a reader wants beside the verdict where there is no number.
-std::string remark(const Outcome& o) { return o.verdict == Verdict::not_computable ? o.detail : ""; }
+/// What was compared, or what stands in the place of a number.
+std::string remark(const Outcome& o) { return o.computed ? o.claim.note : o.detail; }
 
 /// The text's own words and where they stand.
 std::string printed_text(const LedgerRow& row) {
@@ -133,7 +133,7 @@ Section statements_section(const FrontPage& page, int chapter, std::string title
     const std::vector<std::string> ids = list_statements(page.ledger, chapter);
     Table t;
     t.style = "cards";
-    t.header = {"Id", "Statement", "Text", "Computed ± U", "Verdict", "Why not computed"};
+    t.header = {"Id", "Statement", "Text", "Computed ± U", "Verdict", "Note"};
     for (const std::string& id : ids) {
         const std::vector<Found> checks = find_checks(page, id);
         if (checks.empty()) t.rows.push_back(unchecked_row(page.ledger.at(id)));
@@ -154,7 +154,7 @@ Section guide_section() {
             "checks (D113 and D113-b).",
             "match: within the tolerance, and U is small enough to tell. unresolved: U is too large to tell. "
             "differs-explained: outside, and a file shows the cause. not-reproduced: outside, and none does. "
-            "not-computable: nothing can be computed; the last column says why.",
+            "not-computable: nothing can be computed, and the note says why.",
             "U holds the scatter over packings and lug phases with 95 % confidence, and how exactly the text’s own "
             "number can be read. Where no U is shown the check tells none.",
             "A verdict leads to its chapter’s report, which has tolerances with their origin, evidence, figures and "

@@ -51,8 +51,8 @@ std::string computed_text(const Outcome& o) {
 }
 
 std::string statement_text(const Outcome& o) {
-    const bool is_side = o.claim.comparison == Comparison::above || o.claim.comparison == Comparison::below;
-    const std::string what = is_side && o.ledger.kind == "qualitative"
+    const bool is_number = o.claim.comparison != Comparison::none && !is_about_curves(o.claim.comparison);
+    const std::string what = is_number && o.ledger.kind == "qualitative"
                                  ? fmt::format("“{}”, taken as {}", o.ledger.value, reference_text(o))
                                  : reference_text(o);
     return fmt::format("{} ({})", what, source_text(o.ledger));

@@ -37,7 +37,7 @@ protected:
               "id,metric,window,wheel,gravity,load_N,slip_percent,compare,reference,tolerance,tolerance_origin,"
               "expected,evidence,note\n"
               "D101,measured:H,,,,,,equal,,U,scatter,match,,\n"
-              "D101-b,measured:H,,,,,,above,=90,U,scatter,match,,\n"
+              "D101-b,measured:H,,,,,,above,=90,U,scatter,match,,a bound\n"
               "X001,measured:root,,,,,,equal,,0.1,any,match,,\n"
               "D103,,,,,,,none,,,,not-computable,,the curve is not printed\n");
         write("reports/chapter3/checks.csv",
@@ -118,7 +118,9 @@ TEST_F(FrontPageProject, shows_every_statement_once_a_check) {
     EXPECT_TRUE(
         shows("| D101 | H; slip 60 % | 102 N (Fig 3-17a, line 686) | 99 ± 12 N | "
               "[unresolved (expected match)](chapter3/report.md#all-verdicts) |"));
-    EXPECT_TRUE(shows("| D101-b | H; slip 60 % | > 90 N (Fig 3-17a, line 686) | 99 ± 12 N | [match]"));
+    EXPECT_TRUE(
+        shows("| D101-b | H; slip 60 % | > 90 N (Fig 3-17a, line 686) | 99 ± 12 N | "
+              "[match](chapter3/report.md#all-verdicts) | a bound |"));
     EXPECT_TRUE(shows("| D103 | Sinkage \\| a trend | monotonic (Fig 3-14, line 643) | – | [not-computable]"));
     EXPECT_TRUE(shows("| D105 | Exit angle | 105 deg (4.3.1, line 901) | – | no check yet |"));
     EXPECT_FALSE(shows("X001"));
