@@ -48,7 +48,8 @@ Integral integrate_smooth(const std::function<double(double)>& f, double from, d
 /// Piece by piece: at bottom dead centre the forms change, at kinks the stress.
 Integral integrate_arc(const StressField& field, const std::function<double(double)>& f, double floor) {
     std::vector<double> nodes{field.entry_rad, field.exit_rad};
-    // An end that a sum of angles has put beside a node: a piece of no more than round-off has no room for a rule's points.
+    // An end that a sum of angles has put beside a node: a piece of no more than round-off has no room for a rule's
+    // points.
     const auto add = [&](double at) {
         if (at > field.entry_rad + least_piece_rad && at < field.exit_rad - least_piece_rad) nodes.push_back(at);
     };
