@@ -53,6 +53,7 @@ $(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call s
 
 travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS))) $(OUT)/stiffness/stiffness_summary.csv
 
+LAST_FILES += $(OUT)/stiffness/stiffness_summary.csv
 $(OUT)/stiffness/stiffness_summary.csv: $(INPUTS)
 	@exec > /dev/null 2> $(OUT)/logs/stiffness.log; \
 	exec $(IFEDEM) stiffness $(CHAPTER)/cases/B3-earth.toml $(CHAPTER)/cases/B6-earth.toml -o $(OUT)/stiffness

@@ -5,7 +5,9 @@
 #   $(OUT)/ready/NAME     an empty file: this bed or sunk wheel is in the stage cache
 #   $(OUT)/NAME/run.csv   a finished travel; an includer whose runs may be stopped by a health check writes NAME/ended for both
 #   $(OUT)/logs/NAME.log  what the program said on its error stream
+# ENGINE=slurm or parallel makes the same files on other machines (engines/README.md).
 
+include $(dir $(lastword $(MAKEFILE_LIST)))../engines/engine.mk
 include $(CHAPTER)/realisations.mk
 IFEDEM ?= build/ifedem
 JOBS   ?= $(shell nproc)
@@ -16,26 +18,36 @@ INPUTS := $(OUT)/inputs.txt
 .SECONDARY:
 .PHONY: sweep travels FORCE
 
-# Renewed only when its text changes, so that rebuilding the program or touching a case does not repeat the sweep.
+# Renewed only when its text changes, so that rebuilding the program or touching a case does not repeat the sweep. Tasks share
+# the file and only compare: a machine that has another program must not repeat the sweep of all.
+inputs_text = { $(IFEDEM) --version | sed 's/.*results version \([0-9]*\).*/results version \1/'; cat $(CASES); }
+refuse_task = { echo "$$(hostname): $(INPUTS) does not fit (program or cases are others here). Share one directory?"; exit 1; }
 $(INPUTS): FORCE
 	@mkdir -p $(OUT)/ready $(OUT)/logs
-	@{ $(IFEDEM) --version | sed 's/.*results version \([0-9]*\).*/results version \1/'; cat $(CASES); } > $@.new
-	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	@$(inputs_text) | cmp -s - $@ || $(if $(TASK),$(refuse_task),{ $(inputs_text) > $@.new && mv $@.new $@; })
+
+# Of two tasks that need the same bed or sunk wheel one makes it, the other waits for it and finds it in the stage cache.
+lock = exec flock --no-fork $(OUT)/ready/$(1).lock
 
 # NAME, case file, --set arguments. The recipes become the program by exec, so that a signal to make reaches it.
 define bed_rule
+BED_FILES += $(OUT)/ready/$(1)
 $(OUT)/ready/$(1): $(INPUTS)
-	@$(IFEDEM) prepare --bed $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log && touch $$@
+	@$(lock) $(IFEDEM) prepare --bed $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log
+	@touch $$@
 endef
 
 # NAME, case file, --set arguments, NAME of the bed
 define sunk_rule
+SUNK_FILES += $(OUT)/ready/$(1)
 $(OUT)/ready/$(1): $(INPUTS) | $(OUT)/ready/$(4)
-	@$(IFEDEM) prepare $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log && touch $$@
+	@$(lock) $(IFEDEM) prepare $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log
+	@touch $$@
 endef
 
 # NAME, case file, --set arguments, NAME of the sunk wheel
 define travel_rule
+LAST_FILES += $(OUT)/$(1)/run.csv
 $(OUT)/$(1)/run.csv: $(INPUTS) | $(OUT)/ready/$(4)
 	@exec > /dev/null 2> $(OUT)/logs/$(1).log; \
 	if [ $(OUT)/$(1)/checkpoint.h5 -nt $(INPUTS) ]; then exec $(IFEDEM) resume $(OUT)/$(1) --stages $(STAGES) --quiet; \
@@ -45,12 +57,13 @@ endef
 # Runs that are done, as directories; what failed is not among them, nor what an older program left.
 fresh_runs = $$(for r in $(RUNS); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] && echo $(OUT)/$$r; done)
 
-# All travels, whatever fails; then the list of what did. Both make and the watcher run beside the shell, so that it can
+# All travels, whatever fails; then the list of what did. Both the engine and the watcher run beside the shell, so that it can
 # stop them when it is stopped.
 sweep: $(INPUTS)
-	@$(MAKE) --no-print-directory -k -j$(JOBS) -f $(SWEEP) travels > $(OUT)/logs/make.log 2>&1 & runs=$$!; \
+	@$(missing_files) > $(OUT)/logs/missing.txt
+	@$(launch_$(ENGINE)) & runs=$$!; \
 	$(IFEDEM) watch $(addprefix $(OUT)/,$(RUNS)) & watcher=$$!; \
 	trap 'kill $$runs $$watcher 2> /dev/null; wait; echo "stopped; the same command goes on"; exit 130' INT TERM; \
-	wait $$runs; status=$$?; kill $$watcher 2> /dev/null; \
+	wait $$runs; status=$$?; kill $$watcher 2> /dev/null; [ $$status != 5 ] || exit 5; \
 	for r in $(RUNS); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] || [ $(OUT)/$$r/ended -nt $(INPUTS) ] || { echo "failed: $$r (log: $(OUT)/logs/$$r.log)"; tail -n 2 $(OUT)/logs/$$r.log 2> /dev/null; }; done; \
 	exit $$status

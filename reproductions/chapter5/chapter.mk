@@ -51,6 +51,7 @@ $(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call s
 
 travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS))) $(OUT)/confined/measurements.csv
 
+LAST_FILES += $(OUT)/confined/measurements.csv
 $(OUT)/confined/measurements.csv: $(INPUTS)
 	@exec > $(OUT)/logs/confined.log 2>&1; exec $(IFEDEM) confined $(CHAPTER)/cases/small.toml -o $(OUT)/confined
 

@@ -10,13 +10,15 @@ start = $(1) & child=$$$$!; trap "kill $$$$child; wait $$$$child; exit 143" INT 
 
 # NAME, case file, --set arguments, --bed or nothing, prerequisites. What a health check stops here the travel meets again.
 define try_prepare_rule
+$(if $(4),BED_FILES,SUNK_FILES) += $(OUT)/ready/$(1)
 $(OUT)/ready/$(1): $(INPUTS) $(5)
-	@$(call start,$(IFEDEM) prepare $(4) $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log); \
+	@$(call start,$(lock) $(IFEDEM) prepare $(4) $(2) $(3) --stages $(STAGES) --quiet > /dev/null 2> $(OUT)/logs/$(1).log); \
 	[ $$$$code = 0 ] || [ $$$$code = 3 ] && touch $$@
 endef
 
 # NAME, case file, --set arguments, NAME of the sunk wheel
 define trial_rule
+LAST_FILES += $(OUT)/$(1)/ended
 $(OUT)/$(1)/ended: $(INPUTS) | $(OUT)/ready/$(4)
 	@if [ $(OUT)/$(1)/checkpoint.h5 -nt $(INPUTS) ]; then set -- resume $(OUT)/$(1); \
 	else set -- run $(2) -o $(OUT)/$(1) --force $(3); fi; \

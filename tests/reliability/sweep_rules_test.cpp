@@ -1,18 +1,22 @@
 // The make rules of a chapter's sweep (reproductions/chapter3/sweep.mk) on tiny travels: what fails stops no other,
-// what is done is not repeated, what was stopped goes on, and a changed input repeats all. The same for trials
-// (reproductions/speed_accuracy/trials.mk), where a run that a health check stops is done.
+// what is done is not repeated, what was stopped goes on, and a changed input repeats all. Tasks of an engine share
+// beds and inputs. The same for trials (reproductions/speed_accuracy/trials.mk), where a run that a health check stops
+// is done.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "support/scratch.hpp"
 
@@ -70,9 +74,15 @@ protected:
         return std::string("env -u MAKEFLAGS make --no-print-directory -f ") + scratch.file("sweep.mk") +
                " runs JOBS=1 IFEDEM=" + IFEDEM_PROGRAM + " 2>&1";
     }
-    [[nodiscard]] Outcome run_make() const {
+    /// What an engine starts on another machine: the file of a run, with the inputs as they are.
+    [[nodiscard]] std::string task(const std::string& run) const {
+        return std::string("env -u MAKEFLAGS make --no-print-directory -f ") + scratch.file("sweep.mk") + " TASK=1 " +
+               scratch.file("runs/" + run + "/run.csv") + " 2>&1";
+    }
+    [[nodiscard]] Outcome run_make() const { return run_shell(command()); }
+    [[nodiscard]] static Outcome run_shell(const std::string& line) {
         Outcome outcome;
-        FILE* pipe = popen(command().c_str(), "r");
+        FILE* pipe = popen(line.c_str(), "r");
         std::array<char, 4096> buffer{};
         while (fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) outcome.text += buffer.data();
         outcome.code = WEXITSTATUS(pclose(pipe));
@@ -141,6 +151,62 @@ TEST_F(Sweep, AFailedRunStopsNoOtherAndDoneWorkIsNotRepeated) {
 TEST_F(Sweep, WhatWasStoppedGoesOnFromItsCheckpoint) {
     write_makefile("a", "0.2");
     stop_and_go_on();
+}
+
+TEST_F(Sweep, TasksThatNeedTheSameBedMakeItOnce) {
+    write_makefile("a b", "0.01");
+    // A program that keeps what the rules drop: how many steps each `prepare` made.
+    std::ofstream(scratch.file("program")) << "#!/bin/sh\n"
+                                           << IFEDEM_PROGRAM << " \"$@\" | tee -a " << scratch.file("said") << "\n";
+    fs::permissions(scratch.file("program"), fs::perms::owner_all);
+    const std::string with = " IFEDEM=" + scratch.file("program");
+    const Outcome both = run_shell("env -u MAKEFLAGS make -s -f " + scratch.file("sweep.mk") + with + " " +
+                                   scratch.file("runs/inputs.txt") + "; " + task("a") + with + " & " + task("b") +
+                                   with + "; first=$?; wait $! && exit $first");
+    ASSERT_EQ(both.code, 0) << both.text;
+    std::istringstream said(read_text(scratch.file("said")));
+    std::vector<long> steps;
+    for (std::string line; std::getline(said, line);)
+        if (const auto at = line.find("steps="); line.starts_with("performance"))
+            steps.push_back(std::stol(line.substr(at + 6)));
+    // Two beds and two sunk wheels asked for, one of each made, and two travels.
+    std::sort(steps.begin(), steps.end());
+    ASSERT_EQ(steps.size(), 6U);
+    EXPECT_EQ(steps[1], 0);
+    EXPECT_GT(steps[2], 0);
+    const auto hash = [&](const std::string& run) {
+        const std::string facts = read_text(scratch.file("runs/" + run + "/run.csv"));
+        return facts.substr(facts.find("state_hash"), 30);
+    };
+    EXPECT_EQ(hash("a"), hash("b"));
+}
+
+TEST_F(Sweep, ATaskWithOtherInputsIsRefused) {
+    write_makefile("a", "0.01");
+    const std::string with = std::string(" IFEDEM=") + IFEDEM_PROGRAM, inputs = scratch.file("runs/inputs.txt");
+    ASSERT_EQ(run_shell("env -u MAKEFLAGS make -s -f " + scratch.file("sweep.mk") + with + " " + inputs).code, 0);
+    const std::string before = read_text(inputs);
+    write_case("series_interval_s = 0.001\n");
+    const Outcome refused = run_shell(task("a") + with);
+    EXPECT_NE(refused.code, 0);
+    EXPECT_NE(refused.text.find("does not fit"), std::string::npos) << refused.text;
+    EXPECT_EQ(read_text(inputs), before);
+    EXPECT_FALSE(fs::exists(scratch.file("runs/a")));
+}
+
+TEST_F(Sweep, AnEngineThatCannotBeUsedIsRefused) {
+    write_makefile("a", "0.01");
+    const auto refusal = [&](const std::string& arguments) {
+        const Outcome outcome = run_shell(command() + " " + arguments);
+        EXPECT_NE(outcome.code, 0);
+        return outcome.text;
+    };
+    EXPECT_NE(refusal("ENGINE=steam").find("ENGINE=steam is not known"), std::string::npos);
+    const std::string parallel = refusal("ENGINE=parallel HOSTS=nowhere");
+    EXPECT_TRUE(parallel.find("HOSTS=nowhere is no file") != std::string::npos ||
+                parallel.find("GNU parallel is not found") != std::string::npos)
+        << parallel;
+    EXPECT_FALSE(fs::exists(scratch.file("runs/a")));
 }
 
 TEST_F(Sweep, ATrialThatWasStoppedGoesOnFromItsCheckpoint) {
