@@ -55,9 +55,9 @@ test-reliability: build ## kill, stop, damage, fill: build/reliability.csv (ten 
 	@IFEDEM_RELIABILITY_CSV=$(BUILD)/reliability.csv $(BUILD)/tests/bad_input_test --gtest_brief=1
 	@cat $(BUILD)/reliability.csv
 
-test-privileged: build ## what needs the right to mount a file system: full disks
-	@cmake --build $(BUILD) --target tests_reliability -j $(JOBS)
-	@IFEDEM_RELIABILITY_CSV=$(BUILD)/reliability-privileged.csv $(BUILD)/tests/faults_test --gtest_filter=*Privileged* | grep -v '^Note'
+test-privileged: build ## what only root may do: full disks, sweeps on a cluster that loses a node (installs slurm-wlm, parallel, sshd)
+	@cmake --build $(BUILD) --target faults_test -j $(JOBS)
+	@tests/privileged.sh $(BUILD)
 
 test-tsan: $(BUILD)/.packages ## threads under ThreadSanitizer: a test of the soil's elements, and a run of three threads with one thread's hash
 	@cmake -S . -B $(BUILD)-tsan -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_TSAN=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null
@@ -86,7 +86,7 @@ sanitize sanitize-unit: $(BUILD)/.packages ## tests (all, or the unit tests) und
 	@ctest --test-dir $(BUILD)-sanitize --output-on-failure -j $(JOBS) $(if $(filter sanitize-unit,$@),-L unit)
 
 # FIDELITY=dissertation CASE=B3-earth-170N-s60-r1 THREADS=n: one run of chapter 3 with the text's own step
-reproduce-chapter%: build ## simulate, check and report a chapter: reproduce-chapter3
+reproduce-chapter%: build ## simulate, check and report a chapter: reproduce-chapter3 (ENGINE=slurm, or parallel HOSTS=file: on other machines)
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk reproduce
 
 quick-chapter%: build ## the same machinery on short runs, under two minutes

@@ -9,5 +9,5 @@ parallel --will-cite --quote --sshloginfile "$hosts" --ssh "ssh -o BatchMode=yes
     --retries 3 --termseq TERM,10000,KILL --joblog "$logs/parallel.csv" "$@" {} < "$logs/missing.txt" > "$logs/make.log" 2>&1 &
 parallel=$!
 # At the first signal parallel waits for its tasks, at the second it stops them.
-trap 'kill $parallel; sleep 0.5; kill $parallel; wait $parallel; exit 143' INT TERM
+trap 'kill $parallel; sleep 0.5; kill $parallel 2> /dev/null; wait $parallel; exit 143' HUP INT TERM
 wait $parallel

@@ -13,7 +13,7 @@ job=$(sbatch --parsable --array="1-$tasks" --output="$logs/make.log" "$(dirname 
     exit 5
 }
 job=${job%%;*} # of several clusters
-trap 'scancel "$job"; exit 143' INT TERM
+trap 'scancel "$job"; exit 143' HUP INT TERM
 # A failing squeue says nothing about the tasks: the controller may be away for a while.
 while ! left=$(squeue --me --noheader --format=%F) || echo "$left" | grep -qx "$job"; do
     sleep 2 &

@@ -1,0 +1,1 @@
+# One realisation: bed and lug phase are the case's own.
