@@ -9,10 +9,9 @@ if [ -z "${CLUSTER_DIR:-}" ]; then
     "${isolated[@]}" sh -c 'ip link add bridge0 type bridge && ip link add veth0 type veth peer name veth1 && mount -t tmpfs none /run' 2> /dev/null ||
         { echo "network namespaces, bridges and mounts need privileges"; exit 77; }
     CLUSTER_DIR=$(mktemp -d) && export CLUSTER_DIR
-    status=0
-    "${isolated[@]}" "$0" "$@" || status=$?
-    rm -rf "$CLUSTER_DIR"
-    exit $status
+    trap 'rm -rf "$CLUSTER_DIR"' EXIT
+    "${isolated[@]}" "$0" "$@"
+    exit
 fi
 
 in_time() { # what, command...: until it succeeds
