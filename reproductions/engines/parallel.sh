@@ -10,4 +10,5 @@ parallel --will-cite --quote --sshloginfile "$hosts" --ssh "ssh -o BatchMode=yes
 parallel=$!
 # At the first signal parallel waits for its tasks, at the second it stops them.
 trap 'kill $parallel; sleep 0.5; kill $parallel 2> /dev/null; wait $parallel; exit 143' HUP INT TERM
-wait $parallel
+wait $parallel || exit 1 # its own code is the number of failures
+exec "$(dirname "$0")/all_there.sh" "$logs"

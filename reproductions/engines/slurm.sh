@@ -19,3 +19,4 @@ while ! left=$(squeue --me --noheader --format=%F) || echo "$left" | grep -qx "$
     sleep 2 &
     wait $!
 done
+exec "$(dirname "$0")/all_there.sh" "$logs"
