@@ -1,21 +1,13 @@
-// Angle of repose: a column of sand whose right wall is taken away from the top downwards, one wall disc at a time, so
-// that the sand spills slowly. (Taking the wall away at once measures the run-out of a collapse instead.)
-#include <algorithm>
-#include <array>
+// Angle of repose: how it answers to friction, rolling resistance, density and stiffness.
 #include <cmath>
-#include <map>
 
 #include "check/trend.hpp"
-#include "dem/bed.hpp"
-#include "dem/neighbour_lists.hpp"
 #include "sand.hpp"
-#include "support/wheel_scenes.hpp"
+#include "soil_tests/repose.hpp"
 #include "topics.hpp"
 
 namespace ifedem::chapter2 {
 namespace {
-
-using namespace scene;
 
 struct Heap {
     double friction = 0.6, rolling = 1;  ///< µ everywhere; full chords
@@ -23,69 +15,18 @@ struct Heap {
     double size = 1, damping = 0.2;      ///< radii over chapter 3's, the column stays; ζ
 };
 
-constexpr double column_m = 0.12, floor_m = 0.8, wall_radius_m = 0.003;
-
-/// Floor, both ends, and last the gate from bottom to top.
-std::vector<WallDisc> make_heap_walls(double height_m) {
-    std::vector<WallDisc> walls;
-    const auto rows = static_cast<int>(height_m / (2 * wall_radius_m));
-    for (double x = 0; x < floor_m; x += 2 * wall_radius_m) walls.push_back({{x, -wall_radius_m}, wall_radius_m});
-    for (int k = 0; k < rows; ++k) walls.push_back({{-wall_radius_m, (2 * k + 1) * wall_radius_m}, wall_radius_m});
-    for (int k = 0; k < 10; ++k) walls.push_back({{floor_m, (2 * k + 1) * wall_radius_m}, wall_radius_m});
-    for (int k = 0; k < rows; ++k)
-        walls.push_back({{column_m + wall_radius_m, (2 * k + 1) * wall_radius_m}, wall_radius_m});
-    return walls;
-}
-
-/// Slope of the surface between 15 and 85 % of its height, by least squares over columns of two largest diameters.
-double surface_angle_deg(const DiscState& discs) {
-    constexpr double width = 4 * wall_radius_m;
-    std::map<int, double> top;
-    for (const Disc& d : discs.disc) {
-        double& t = top[static_cast<int>(d.x_m / width)];
-        t = std::max(t, d.y_m + d.radius_m);
-    }
-    double highest = 0;
-    for (const auto& [column, height] : top) highest = std::max(highest, height);
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (const auto& [column, height] : top) {
-        if (height < 0.15 * highest || height > 0.85 * highest) continue;
-        const double x = (column + 0.5) * width;
-        n += 1, sx += x, sy += height, sxx += x * x, sxy += x * height;
-    }
-    return -std::atan((n * sxy - sx * sy) / (n * sxx - sx * sx)) * 180 / pi;
-}
-
-struct Result {
-    double angle_deg = 0;
-    DiscState discs;
-};
-
-Result make_heap(const Heap& heap, int seed, std::int64_t count) {
+Repose make_heap(const Heap& heap, int seed, std::int64_t count) {
     Case c;
-    const double discs = static_cast<double>(count) / (heap.size * heap.size);
-    c.bed.disc_count = std::llround(discs), c.bed.length_m = column_m, c.bed.seed = seed;
+    ReposeScene scene = scale_repose(c, count);
+    scene.discs = std::llround(static_cast<double>(count) / (heap.size * heap.size));
+    c.bed.seed = seed;
     for (double& r : c.soil.radii_m) r *= heap.size;
     c.contact.damping_ratio = heap.damping;
     c.soil.density_kg_m3 *= heap.density;
     c.contact.normal_stiffness_N_m *= heap.stiffness, c.contact.tangential_stiffness_N_m *= heap.stiffness;
     c.contact.rolling_factor = heap.rolling;
-    const double height = 1.3 * static_cast<double>(count) * pi * 0.0025 * 0.0025 / column_m / 0.8;
-    const State filled = make_initial_state(c);
-    DemConstants dem = make_dem_constants(c, heap.friction, heap.friction);
-    dem.flat_walls.clear();
-    dem.wall_discs = make_heap_walls(height + 0.03);
-    World w = make_world(dem, filled.discs.disc);
-    advance(w, 12500);  // 0.5 s
-    const std::size_t gate_begin =
-        w.scene.dem.wall_discs.size() - static_cast<std::size_t>((height + 0.03) / (2 * wall_radius_m));
-    while (w.scene.dem.wall_discs.size() > gate_begin) {
-        w.scene.dem.wall_discs.pop_back();
-        w.work.dem.rebuild_outer = true;  // the lists must forget it
-        advance(w, 1250);                 // 0.05 s a disc of 6 mm
-    }
-    advance(w, 15000);
-    return {surface_angle_deg(w.state.discs), w.state.discs};
+    c.contact.friction_soil = c.contact.friction_wall = heap.friction;
+    return spill(c, scene);
 }
 
 struct Sweep {
@@ -131,12 +72,12 @@ void measure_heap(Output& out, Effort effort) {
             if (sweep.constant_arm) heap.rolling /= heap.size;
             std::vector<double> at_level;
             for (int seed = 1; seed <= seeds; ++seed) {
-                const Result r = make_heap(heap, seed, count);
+                const Repose r = make_heap(heap, seed, count);
                 at_level.push_back(r.angle_deg);
                 rows.push_back({sweep.name, number(level), number(r.angle_deg)});
                 const bool ends = level == sweep.levels.front() || level == sweep.levels.back();
                 if (seed != 1 || !ends || !friction) continue;
-                for (const Disc& d : r.discs.disc)
+                for (const Disc& d : r.discs)
                     shape.push_back({std::string(sweep.name) + (level == sweep.levels.front() ? "-low" : "-high"),
                                      number(d.x_m), number(d.y_m), number(d.radius_m)});
             }

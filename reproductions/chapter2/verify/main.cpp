@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "dem/threads.hpp"
 #include "topics.hpp"
 
 namespace {
@@ -30,6 +31,7 @@ int run_program(int argc, char** argv) {
     app.add_option("--travels", runs, "read the travels in this directory instead of measuring a topic");
     app.add_flag("--quick", quick, "fewer levels and realisations");
     CLI11_PARSE(app, argc, argv);
+    ifedem::set_threads(1);  // samples are too small to share
     Output out(directory);
     if (!runs.empty())
         measure_travels(out, runs);

@@ -12,7 +12,7 @@
 
 #include "check/statistics.hpp"
 #include "dem/bed.hpp"
-#include "sand.hpp"
+#include "soil_tests/sample.hpp"
 #include "support/wheel_scenes.hpp"
 #include "topics.hpp"
 
@@ -32,7 +32,7 @@ struct Silo {
 };
 
 /// Adds what the walls do to the discs now. The vertical stress follows from the balance of what lies above.
-void add_walls(const World& w, double gravity, double share, Silo& silo) {
+void add_walls(const SoilWorld& w, double gravity, double share, Silo& silo) {
     struct Load {
         double height_m = 0, down_N = 0;
     };
