@@ -24,10 +24,11 @@ struct FlatWall {
     Vec2 normal;
 };
 
-/// A fixed disc of a wall made of discs.
+/// A disc of a wall made of discs; fixed but in soil tests.
 struct WallDisc {
     Vec2 centre_m;
     double radius_m = 0;
+    Vec2 velocity_m_s = {};  ///< for its friction and dashpot; who moves it moves the centre too
 };
 
 /// What the soil is made of and stands in; constant within a stage.

@@ -21,7 +21,7 @@ void add_walls(const DemConstants& k, const Block& block, State& state, DemWorks
         double& spring = state.wall_contacts[n].tangential_m;
         const WallSide side = find_wall_side(k, work.wall[n].wall, d);
         const BoundaryForce f = boundary_force(k.wall, k.damping_ratio, d, side.normal, side.distance_m,
-                                               side.opposite_radius_m, {0, 0}, spring, spring_step_s);
+                                               side.opposite_radius_m, side.velocity_m_s, spring, spring_step_s);
         spring = f.tangential_spring_m;
         add_force(work.force[block.slot(work.wall[n].position)], f.on_disc());
     }
@@ -119,7 +119,7 @@ WallSide find_wall_side(const DemConstants& k, std::uint32_t wall, const Disc& d
     }
     const Vec2 to_wall = k.wall_discs[wall].centre_m - centre;
     const double distance = norm(to_wall);
-    return {(1.0 / distance) * to_wall, distance, k.wall_discs[wall].radius_m};
+    return {(1.0 / distance) * to_wall, distance, k.wall_discs[wall].radius_m, k.wall_discs[wall].velocity_m_s};
 }
 
 }  // namespace ifedem

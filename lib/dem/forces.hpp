@@ -39,6 +39,7 @@ struct WallSide {
     Vec2 normal;  ///< unit, from the disc to the wall
     double distance_m = 0;
     double opposite_radius_m = 0;
+    Vec2 velocity_m_s = {};
 };
 [[nodiscard]] WallSide find_wall_side(const DemConstants& k, std::uint32_t wall, const Disc& d);
 

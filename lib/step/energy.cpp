@@ -81,8 +81,8 @@ void add_wall_losses(const Scene& scene, const std::vector<Disc>& before, const 
         const WallSide side = find_wall_side(scene.dem, work.wall[n].wall, before[p]);
         const BoundaryForce f =
             boundary_force(scene.dem.wall, scene.dem.damping_ratio, before[p], side.normal, side.distance_m,
-                           side.opposite_radius_m, {0, 0}, springs_before[n], scene.dem.step_s);
-        add_boundary_losses(scene.dem.wall, midway(before[p], after.discs.disc[p]), side.normal, f, {0, 0},
+                           side.opposite_radius_m, side.velocity_m_s, springs_before[n], scene.dem.step_s);
+        add_boundary_losses(scene.dem.wall, midway(before[p], after.discs.disc[p]), side.normal, f, side.velocity_m_s,
                             springs_before[n], scene.dem.step_s, flow);
     }
 }
