@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "app/calibrate.hpp"
 #include "app/confined.hpp"
 #include "app/doubt.hpp"
 #include "app/fit.hpp"
@@ -147,6 +148,33 @@ void add_fit(CLI::App& app, FitRequest& request, std::vector<std::string>& sets,
     });
 }
 
+void add_calibrate(CLI::App& app, CalibrateRequest& request, std::vector<std::string>& sets) {
+    auto* command = app.add_subcommand(
+        "calibrate",
+        "test a case's sand as a laboratory does: porosity, angle of repose, confined and biaxial compression, direct "
+        "shear, plate sinkage; compare with [target]");
+    command->add_option("case", request.case_path, "case file (TOML); its gravity, step, [soil] and [contact] count")
+        ->required();
+    command->add_option("-o,--output", request.directory, "directory of measurements.csv and the report")->required();
+    command->add_option("--n", request.realisations, "realisations (packings)")->check(CLI::Range(1, 1000));
+    command->add_option("--jobs", request.jobs, "tests at the same time")->check(CLI::Range(1, 1024));
+    command
+        ->add_option("--stress", request.stress_kPa,
+                     "kPa: lateral in biaxial compression; direct shear under half, all and twice of it")
+        ->check(CLI::Range(1e-6, 1e6));
+    command->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    command->add_flag_callback(
+        "--quick", [&] { request.effort = Effort::quick; }, "small samples: a look, not a measurement");
+    command->add_flag_callback(
+        "--knobs", [&] { request.knobs = Knobs::turn; },
+        "also measure what alpha, mu, stiffness and the friction of consolidation do to each quantity (six times the "
+        "work)");
+    command->callback([&] {
+        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
+        calibrate(request);
+    });
+}
+
 struct CheckArguments {
     std::string claims, output;
     std::vector<std::string> runs;
@@ -251,6 +279,9 @@ int run_program(int argc, char** argv) {
     FitRequest fit;
     std::vector<std::string> fit_sets;
     add_fit(app, fit, fit_sets, code);
+    CalibrateRequest sand;
+    std::vector<std::string> sand_sets;
+    add_calibrate(app, sand, sand_sets);
     add_check_and_report(app, check, code);
     PictureArguments picture;
     add_picture(app, picture);

@@ -160,6 +160,22 @@ struct HealthCase {
     double torque_error_limit_rad = 0.1;
 };
 
+/// What a real sand measured in the tests of `ifedem calibrate`, which alone reads it; 0 = not known.
+struct TargetCase {
+    double porosity = 0;
+    double repose_angle_deg = 0;
+    double confined_modulus_Pa = 0;
+    double friction_angle_deg = 0;
+    double residual_angle_deg = 0;
+    double dilatancy_angle_deg = 0;
+    double secant_modulus_Pa = 0;
+    double shear_cohesion_Pa = 0;
+    double shear_angle_deg = 0;
+    double shear_displacement_m = 0;
+    double plate_pressure_Pa = 0;
+    double plate_exponent = 0;
+};
+
 struct Case {
     std::string name = "chapter3";
     double gravity_m_s2 = 9.81;
@@ -175,6 +191,7 @@ struct Case {
     StagesCase stages;
     RecordCase record;
     HealthCase health;
+    TargetCase target;
 };
 
 /// V after acceleration.

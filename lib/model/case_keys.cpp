@@ -205,6 +205,22 @@ constexpr std::array keys{
     IFEDEM_KEY(health.drawbar_error_limit_m, "m", above_zero(1e3), "stop when the hub is this far from its target"),
     IFEDEM_KEY(health.torque_error_limit_rad, "rad", above_zero(1e3),
                "stop when the wheel is turned this far from its target"),
+
+    IFEDEM_KEY(
+        target.porosity, "-", (Range{0, 1}),
+        "`ifedem calibrate` compares with these, and nothing else reads them; 0 = not known. Here: in the bulk of "
+        "the bed"),
+    IFEDEM_KEY(target.repose_angle_deg, "°", from_zero(90), "angle of repose"),
+    IFEDEM_KEY(target.confined_modulus_Pa, "Pa", from_zero(1e15), "confined compression, secant modulus at 3 %"),
+    IFEDEM_KEY(target.friction_angle_deg, "°", from_zero(90), "biaxial compression, friction angle at the peak"),
+    IFEDEM_KEY(target.residual_angle_deg, "°", from_zero(90), "biaxial compression, friction angle at 12 to 15 %"),
+    IFEDEM_KEY(target.dilatancy_angle_deg, "°", (Range{-90, 90}), "biaxial compression, dilatancy at the peak"),
+    IFEDEM_KEY(target.secant_modulus_Pa, "Pa", from_zero(1e15), "biaxial compression, secant modulus at half the peak"),
+    IFEDEM_KEY(target.shear_cohesion_Pa, "Pa", from_zero(1e9), "direct shear, cohesion c"),
+    IFEDEM_KEY(target.shear_angle_deg, "°", from_zero(90), "direct shear, friction angle"),
+    IFEDEM_KEY(target.shear_displacement_m, "m", from_zero(1e2), "direct shear, K of Janosi & Hanamoto"),
+    IFEDEM_KEY(target.plate_pressure_Pa, "Pa", from_zero(1e9), "plate sinkage, p = k z^n at z = 1 cm"),
+    IFEDEM_KEY(target.plate_exponent, "-", from_zero(10), "plate sinkage, n of p = k z^n"),
 };
 
 #undef IFEDEM_MATERIAL
