@@ -87,11 +87,16 @@ Table list_quantities(const SandVariant& sand, const KnobSource& knobs) {
     table.header = {"quantity", "test", "units", "mean", "s", "target", "off", "U", "verdict", "keys that move it"};
     table.caption = fmt::format(
         "Mean and standard deviation s of {} realisations. off: mean less target. U: 95 % half-width of the mean (a "
-        "laboratory's sample has so many grains that it is no realisation of this size); the target's own error is "
-        "not in it. Within U counts only if U is no more than a tenth of the target. Last column: what a changed key "
-        "did to the quantity, paired by realisation, with the 95 % half-width of the mean difference; {}.",
+        "laboratory's sample has so many grains that it is no realisation of this size); the target's own error is not "
+        "in it. "
+        "Within U counts only if U is no more than a tenth of the target. Last column: what a changed key of [contact] "
+        "did to "
+        "the quantity, paired by realisation, with the 95 % half-width of the mean difference, where that leaves out 0 "
+        "(one in "
+        "twenty does by chance); {}.",
         sand.tests.size(),
-        knobs.own ? "measured on this sand" : "measured on chapter 3's sand (--knobs measures it on yours)");
+        knobs.own ? "measured on this sand"
+                  : "measured on quick samples of chapter 3's sand (--knobs measures it on yours)");
     for (const SandQuantity& q : sand_quantities()) table.rows.push_back(quantity_row(sand, q, knobs));
     return table;
 }
@@ -210,20 +215,18 @@ BulletList explain(const CalibrateRequest& request, const SandVariant& sand) {
                      request.realisations, request.stress_kPa, request.effort == Effort::quick ? " --quick" : "",
                      request.knobs == Knobs::turn ? " --knobs" : ""),
          fmt::format(
-             "Realisations are packing seeds {} to {}. Discs in two dimensions, {:g} m thick; stresses are over "
-             "that thickness.",
+             "Realisations are packing seeds {} to {}. Discs in two dimensions; stresses are over {:g} m of thickness.",
              sand.c.bed.seed, sand.c.bed.seed + request.realisations - 1, sand.c.soil.thickness_m),
          "Nothing is fitted for you: turn the keys of [contact] until the quantities that matter are within U. Several "
-         "keys "
-         "move one quantity and some settings give the same numbers, so decide first what has to be right.",
-         "A way that works: porosity by the friction of consolidation; moduli by both stiffnesses; angles by friction "
-         "and "
+         "keys move one quantity, and not all targets can be met at once: decide first what has to be right.",
+         "A way to go: porosity by the friction of consolidation, moduli by both stiffnesses, angles by friction and "
          "rolling factor together; then look at all of it again.",
          "The bed settles as in a run, with the friction of consolidation. Compression: smooth flat walls, no gravity, "
-         "0.05 "
-         "and 0.1 of strain a second. Direct shear: walls of discs, no gravity, a twentieth of the length a second. "
-         "Plate: "
-         "a quarter of its width deep, in a bin five times as wide.",
+         "0.05 (confined) and 0.1 of strain a second. Direct shear: walls of discs, no gravity, a twentieth of the "
+         "length a second.",
+         fmt::format("The plate is {:.3g} mm wide, in a bin five times as wide, and goes a quarter of its width deep. "
+                     "k depends on the width: compare with a plate of about this one.",
+                     1e3 * sand.tests.front().plate.width_m),
          "Discs in a plane are no sand: they have no third direction to pass each other in, so that a plane sample is "
          "stronger at the same friction. Compare with plane-strain numbers where there are any."}};
 }

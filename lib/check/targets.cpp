@@ -42,8 +42,9 @@ std::vector<std::string> list_knobs(const std::string& knob_table, const std::st
     for (const CsvRow& row : table.rows) {
         const auto d = parse_number(row.cells[difference]), u = parse_number(row.cells[half_width]);
         if (row.cells[name] != quantity || !d || !u || std::fabs(*d) <= *u) continue;
-        lines.emplace_back(-std::fabs(*d), fmt::format("{} {}: {} ± {}", row.cells[key], row.cells[change],
-                                                       signed_within(*d, *u), number_within(*u, *u)));
+        const std::string leaf = row.cells[key].substr(row.cells[key].rfind('.') + 1);
+        lines.emplace_back(-std::fabs(*d), fmt::format("{} {}: {} ± {}", leaf, row.cells[change], signed_within(*d, *u),
+                                                       number_within(*u, *u)));
     }
     std::ranges::stable_sort(lines, {}, &std::pair<double, std::string>::first);
     std::vector<std::string> texts;

@@ -22,7 +22,7 @@ struct TargetMatch {
 [[nodiscard]] std::string number_within(double value, double scatter);
 [[nodiscard]] std::string signed_within(double value, double scatter);
 
-/// "contact.friction_soil × 0.5: −4.1 ± 0.8", the strongest first: the lines of such a table whose interval leaves out
+/// "friction_soil × 0.5: −4.1 ± 0.8", the strongest first: the lines of such a table whose interval leaves out
 /// 0. Throws Error(bad_input) for another table.
 [[nodiscard]] std::vector<std::string> list_knobs(const std::string& knob_table, const std::string& path,
                                                   const std::string& quantity);

@@ -41,7 +41,7 @@ const std::string table =
     "name,key,change,before,after,difference,half_width,units,n\n"
     "angle,alpha,to 0,47,28,-19,2,deg,3\n"
     "angle,mu,× 0.5,47,44,-3,4,deg,3\n"
-    "angle,k,× 2,47,80,33,1.5,deg,3\n"
+    "angle,contact.k,× 2,47,80,33,1.5,deg,3\n"
     "angle,beta,× 2,47,48,1,,deg,1\n"
     "modulus,mu,× 0.5,1,2,1,0.1,MPa,3\n";
 
