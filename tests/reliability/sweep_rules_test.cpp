@@ -92,13 +92,28 @@ protected:
         return fs::last_write_time(scratch.file("runs/" + run + "/run.csv"));
     }
 
-    /// Stops make while run `a` travels 0.2 m, then goes on.
-    void stop_and_go_on() const {
+    [[nodiscard]] pid_t start_make() const {
         const pid_t make = fork();
         if (make == 0) {
             execl("/bin/sh", "sh", "-c", ("exec " + command() + " > " + scratch.file("make.log")).c_str(), nullptr);
             _exit(127);
         }
+        return make;
+    }
+    /// Whether a process makes the bed, within ten seconds of `wanted`.
+    [[nodiscard]] bool bed_is_being_made(bool wanted) const {
+        const std::string lock = scratch.file("runs/ready/bed.lock");
+        const auto is_held = [&] {
+            return fs::exists(lock) && run_shell("flock --nonblock " + lock + " true").code != 0;
+        };
+        for (int k = 0; k < 1000 && is_held() != wanted; ++k)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        return is_held();
+    }
+
+    /// Stops make while run `a` travels 0.2 m, then goes on.
+    void stop_and_go_on() const {
+        const pid_t make = start_make();
         // Stopped once the travel has a checkpoint.
         const std::string checkpoint = scratch.file("runs/a/checkpoint.h5");
         for (int k = 0;
@@ -151,6 +166,15 @@ TEST_F(Sweep, AFailedRunStopsNoOtherAndDoneWorkIsNotRepeated) {
 TEST_F(Sweep, WhatWasStoppedGoesOnFromItsCheckpoint) {
     write_makefile("a", "0.2");
     stop_and_go_on();
+}
+
+TEST_F(Sweep, StoppingMakeStopsTheBedToo) {
+    write_makefile("a", "0.01 --set stages.consolidation_s=1000");
+    const pid_t make = start_make();
+    ASSERT_TRUE(bed_is_being_made(true)) << read_text(scratch.file("make.log"));
+    kill(make, SIGTERM);
+    waitpid(make, nullptr, 0);
+    EXPECT_FALSE(bed_is_being_made(false));
 }
 
 TEST_F(Sweep, TasksThatNeedTheSameBedMakeItOnce) {
