@@ -95,6 +95,7 @@ is_apart() { [ "$(readlink /proc/self/ns/net)" != "$(readlink "/proc/$1/ns/net")
 start_node() { # name, address
     # Processes of its own too, so that nothing of a node survives its first one.
     unshare --net --uts --pid --mount --fork --kill-child --mount-proc sh "$CLUSTER_DIR/node.sh" "$1" "$2" > "$CLUSTER_DIR/$1.log" 2>&1 &
+    disown # its end is wanted, and not to be told
     ip link add "$1" type veth peer name "bridge-$1"
     ip link set "bridge-$1" master bridge0 up
     in_time "namespace of $1" is_apart $!
