@@ -21,15 +21,20 @@ VARIED  := discs1451:elements.pattern_discs=1451 handover:elements.stress_handov
 ifeq ($(SET),sensitivity)
 RUNS    := small-s40-r1 $(foreach v,$(VARIED),small-s40-r1-$(firstword $(subst :, ,$(v))))
 else
+MAIN    := $(foreach g,$(REGIONS),$(foreach s,$(SLIPS),$(g)-s$(s)-r1))
 # Whether results approach those of discs only as the region grows is a matter of a few newtons: eight realisations at 0 and 10 %.
-RUNS    ?= $(foreach g,$(REGIONS),$(foreach s,$(SLIPS),$(g)-s$(s)-r1)) \
-           $(foreach r,2 3 4 5 6 7 8,$(foreach g,small large discs,$(foreach s,0 10,$(g)-s$(s)-r$(r))))
+MORE    := $(foreach r,2 3 4 5 6 7 8,$(foreach g,small large discs,$(foreach s,0 10,$(g)-s$(s)-r$(r))))
+RUNS    ?= $(if $(filter more,$(SET)),$(MORE),$(MAIN))
 endif
 
-.PHONY: reproduce runs report quick sensitivity table
+.PHONY: reproduce more runs report quick sensitivity table
 
 reproduce:
 	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
+	@$(MAKE) --no-print-directory -f $(SWEEP) report
+
+more:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs SET=more
 	@$(MAKE) --no-print-directory -f $(SWEEP) report
 
 runs: sweep
@@ -55,8 +60,11 @@ LAST_FILES += $(OUT)/confined/measurements.csv
 $(OUT)/confined/measurements.csv: $(INPUTS)
 	@exec > $(OUT)/logs/confined.log 2>&1; exec $(IFEDEM) confined $(CHAPTER)/cases/small.toml -o $(OUT)/confined
 
+# Of `more` what there is.
+fresh_more = $$(for r in $(MORE); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] && echo $(OUT)/$$r; done)
+
 report: $(INPUTS)
-	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs)
+	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs) $(fresh_more)
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT) \
 	  --title "Chapter 5: soil that changes between elements and discs" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
