@@ -224,11 +224,15 @@ BulletList explain(const CalibrateRequest& request, const SandVariant& sand) {
          "The bed settles as in a run, with the friction of consolidation. Compression: smooth flat walls, no gravity, "
          "0.05 (confined) and 0.1 of strain a second. Direct shear: walls of discs, no gravity, a twentieth of the "
          "length a second.",
+         fmt::format("Springs: σ t/K_n = {:.2g} at the stress above, about the mean overlap over a disc's diameter. "
+                     "Where it is more than a few hundredths, the springs are too soft for this stress.",
+                     1e3 * request.stress_kPa * sand.c.soil.thickness_m / sand.c.contact.normal_stiffness_N_m),
          fmt::format("The plate is {:.3g} mm wide, in a bin five times as wide, and goes a quarter of its width deep. "
                      "k depends on the width: compare with a plate of about this one.",
                      1e3 * sand.tests.front().plate.width_m),
-         "Discs in a plane are no sand: they have no third direction to pass each other in, so that a plane sample is "
-         "stronger at the same friction. Compare with plane-strain numbers where there are any."}};
+         "Discs in a plane are no grains: µ, α and k are those with which discs answer alike, not properties of the "
+         "sand. "
+         "Compare with plane-strain numbers where there are any."}};
 }
 
 }  // namespace
