@@ -52,8 +52,8 @@ JobAcctGatherType=jobacct_gather/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 SchedulerParameters=sched_interval=1,sched_min_interval=0,batch_sched_delay=0
-SlurmdTimeout=5
-ReturnToService=0
+SlurmdTimeout=10
+ReturnToService=1
 NodeName=n1 NodeAddr=10.99.0.11 CPUs=1 RealMemory=1000 State=UNKNOWN
 NodeName=n2 NodeAddr=10.99.0.12 CPUs=1 RealMemory=1000 State=UNKNOWN
 PartitionName=all Nodes=n1,n2 Default=YES State=UP
