@@ -14,7 +14,7 @@ set xlabel "α (full chord), µ = 0.6"
 set xrange [-0.1:2.1]
 set xtics 0.5
 eval "plot ".one("rolling", earth_colour)
-set xlabel "damping ratio ζ, no rolling resistance"
+set xlabel "damping ratio ζ (α = 0)"
 set xrange [0:0.8]
 set xtics 0.2
 eval "plot ".one("damping", earth_colour)
@@ -32,6 +32,6 @@ set xrange [0.6:1.6]
 set xtics (0.7,1,1.4)
 set label 1 at 0.65,45
 set label 2 at 0.65,5
-set label 3 "an arm of constant length" at 0.65,40 left textcolor rgb other_colour
+set label 3 "α ∝ 1/r: constant arm" at 0.65,40 left textcolor rgb other_colour
 eval "plot ".one("size", earth_colour).", ".one("size_chord", mars_colour).", ".one("size_arm", other_colour)
 unset multiplot
