@@ -10,7 +10,7 @@ here=$(dirname "$0")
 
 echo "run,quantity,conversions,step,standard_error" > "$out/epochs.csv"
 echo "run,ahead_kPa,behind_kPa,positive_kPa" > "$out/shear.csv"
-echo "run,region,slip_percent,realisation,gross_N,net_N,resistance_N,sinkage_cm,vertical_N,slip,cpu_s,conversions,refused,upheaval_cm,rut_cm" > "$out/runs.csv"
+echo "run,region,slip_percent,realisation,gross_N,net_N,resistance_N,sinkage_cm,vertical_N,slip,cpu_s,conversions,refused,upheaval_cm,rut_cm,discs" > "$out/runs.csv"
 for run in "$@"; do
     name=$(basename "$run")
     case $name in *-s40-r1 | *-s70-r1) cp "$run/snapshot_bed.png" "$out/${name%-r1}.png" ;; esac
@@ -33,7 +33,7 @@ for run in "$@"; do
         }' "$run/series.csv" "$run/stress.csv" >> "$out/shear.csv"
     "$ifedem" surface "$run" -o "$out/surface-$name.csv"
     awk -F, -v name="$name" -v last=0.3 '
-        FILENAME ~ /run.csv$/ { if ($1 == "cpu_s") cpu = $2; next }
+        FILENAME ~ /run.csv$/ { if ($1 == "cpu_s") cpu = $2; if ($1 == "particles") discs = $2; next }
         FILENAME ~ /conversions.csv$/ { if (FNR > 1) { if ($4 == 0) ++made; else ++refused }; next }
         FILENAME ~ /series.csv$/ {
             if (FNR == 1) { for (k = 1; k <= NF; ++k) at[$k] = k; next }
@@ -47,20 +47,22 @@ for run in "$@"; do
                 z += c[at["sinkage_m"]]; fy += c[at["vertical_force_N"]]; v += c[at["hub_speed_m_s"]]; w += c[at["omega_rad_s"]]
             }
             h = (t / count) / (r / count); net /= count
-            # Upheaval: the highest top within a block ahead of the front edge over the level further ahead. Rut: the
-            # mean top over the block behind the rear edge, the tyre being 0.2675 m in radius, under that level.
+            # Upheaval: the highest mean over 6 cm (a top alone is roughness) from the front edge − 0.1 m to 0.14 m ahead of it,
+            # over the level from 0.15 to 0.35 m ahead. Rut: the mean top over the block behind the rear edge, the tyre
+            # being 0.2675 m in radius, under that level.
             front = x[rows] + 0.2675; rear = x[rows] - 0.2675
             for (n = 1; n <= tops; ++n) {
-                if (sx[n] > front - 0.1 && sx[n] < front + 0.15 && sy[n] > high) high = sy[n]
-                if (sx[n] > front + 0.2 && sx[n] < 2.35) { level += sy[n]; ++ahead }
+                if (sx[n] > front - 0.1 && sx[n] < front + 0.14) { b = int((sx[n] - front + 0.1) / 0.06); top[b] += sy[n]; ++in_bin[b] }
+                if (sx[n] > front + 0.15 && sx[n] < front + 0.35) { level += sy[n]; ++ahead }
                 if (sx[n] > rear - 0.15 && sx[n] < rear) { bottom += sy[n]; ++behind }
             }
+            for (b in top) if (top[b] / in_bin[b] > high) high = top[b] / in_bin[b]
             level = ahead ? level / ahead : 0
             parts = split(name, p, "-")
             slip = parts == 3 && p[2] ~ /^s[0-9]+$/ ? substr(p[2], 2) : ""
-            printf "%s,%s,%s,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%s,%d,%d,%.3g,%.3g\n", name, p[1], slip, substr(p[3], 2), \
+            printf "%s,%s,%s,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%s,%d,%d,%.3g,%.3g,%d\n", name, p[1], slip, substr(p[3], 2), \
                 h, net, net - h, 100 * z / count, fy / count, 1 - (v / count) / (r / count * (w / count)), cpu, made, refused, \
-                100 * (high - level), behind ? 100 * (bottom / behind - level) : 0
+                100 * (high - level), behind ? 100 * (bottom / behind - level) : 0, discs
         }' "$run/run.csv" $([ -f "$run/conversions.csv" ] && echo "$run/conversions.csv") "$run/series.csv" "$out/surface-$name.csv" >> "$out/runs.csv"
 done
 
@@ -135,6 +137,22 @@ awk -F, -v out="$out" '
             }
         }
     }' "$out/runs.csv"
+
+# Time and number of discs at the end, both over discs only at the same slip: an index a region.
+awk -F, '
+    FNR == 1 { next }
+    { key = $2 SUBSEP $3; ++n[key]; cpu[key] += $11; discs[key] += $16 }
+    END {
+        print "region,slip_percent,disc_share,time_share"
+        count = split("small middle large row", all, " ")
+        for (q = 1; q <= count; ++q) {
+            if (q > 1) print "\n"
+            for (s = 0; s <= 70; s += 10) {
+                a = all[q] SUBSEP s; b = "discs" SUBSEP s
+                if ((a in n) && (b in n)) printf "%s,%d,%.5g,%.5g\n", all[q], s, discs[a] / n[a] / (discs[b] / n[b]), cpu[a] / n[a] / (cpu[b] / n[b])
+            }
+        }
+    }' "$out/runs.csv" > "$out/time.csv"
 
 # Epochs over all runs with conversions, each run weighted alike; shear of the small region against discs only.
 awk -F, '
