@@ -183,7 +183,7 @@ Document compose(const FrontPage& page, PageKind kind) {
     }
     d.first_line = fmt::format("Verdicts: {} — {}.", fmt::join(counts, ", "),
                                s.unchecked == 0 ? "no statement without a check"
-                                                : fmt::format("{} statements have no check yet", s.unchecked));
+                                                : fmt::format("statements without a check yet: {}", s.unchecked));
     d.sections = {chapters_section(page, kind), conclusions_section(page)};
     const std::set<int> chapters = list_chapters(page);
     const int last = *chapters.rbegin();  // what the text closes with stands beside its conclusions
