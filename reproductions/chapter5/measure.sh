@@ -10,7 +10,7 @@ here=$(dirname "$0")
 
 echo "run,quantity,conversions,step,standard_error" > "$out/epochs.csv"
 echo "run,ahead_kPa,behind_kPa,positive_kPa" > "$out/shear.csv"
-echo "run,region,slip_percent,realisation,gross_N,net_N,resistance_N,sinkage_cm,vertical_N,slip,cpu_s,conversions,refused,upheaval_cm,rut_cm,discs" > "$out/runs.csv"
+echo "run,region,slip_percent,realisation,gross_N,net_N,resistance_N,sinkage_cm,vertical_N,slip,cpu_s,conversions,refused,upheaval_cm,rut_cm,discs,state_hash,results_version" > "$out/runs.csv"
 for run in "$@"; do
     name=$(basename "$run")
     case $name in *-s40-r1 | *-s70-r1) cp "$run/snapshot_bed.png" "$out/${name%-r1}.png" ;; esac
@@ -33,7 +33,8 @@ for run in "$@"; do
         }' "$run/series.csv" "$run/stress.csv" >> "$out/shear.csv"
     "$ifedem" surface "$run" -o "$out/surface-$name.csv"
     awk -F, -v name="$name" -v last=0.3 '
-        FILENAME ~ /run.csv$/ { if ($1 == "cpu_s") cpu = $2; if ($1 == "particles") discs = $2; next }
+        FILENAME ~ /run.csv$/ { if ($1 == "cpu_s") cpu = $2; if ($1 == "particles") discs = $2
+                if ($1 == "state_hash") hash = $2; if ($1 == "results_version") version = $2; next }
         FILENAME ~ /conversions.csv$/ { if (FNR > 1) { if ($4 == 0) ++made; else ++refused }; next }
         FILENAME ~ /series.csv$/ {
             if (FNR == 1) { for (k = 1; k <= NF; ++k) at[$k] = k; next }
@@ -60,9 +61,9 @@ for run in "$@"; do
             level = ahead ? level / ahead : 0
             parts = split(name, p, "-")
             slip = parts == 3 && p[2] ~ /^s[0-9]+$/ ? substr(p[2], 2) : ""
-            printf "%s,%s,%s,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%s,%d,%d,%.3g,%.3g,%d\n", name, p[1], slip, substr(p[3], 2), \
+            printf "%s,%s,%s,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%s,%d,%d,%.3g,%.3g,%d,%s,%s\n", name, p[1], slip, substr(p[3], 2), \
                 h, net, net - h, 100 * z / count, fy / count, 1 - (v / count) / (r / count * (w / count)), cpu, made, refused, \
-                100 * (high - level), behind ? 100 * (bottom / behind - level) : 0, discs
+                100 * (high - level), behind ? 100 * (bottom / behind - level) : 0, discs, hash, version
         }' "$run/run.csv" $([ -f "$run/conversions.csv" ] && echo "$run/conversions.csv") "$run/series.csv" "$out/surface-$name.csv" >> "$out/runs.csv"
 done
 
