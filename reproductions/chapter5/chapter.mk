@@ -67,7 +67,7 @@ report: $(INPUTS)
 	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs) $(fresh_more)
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT) \
 	  --title "Chapter 5: soil that changes between elements and discs" --command "$(COMMAND)"
-	@cp $(OUT)/measured/runs.csv $(REPORT)/runs.csv
+	@cp $(OUT)/measured/runs.csv $(OUT)/measured/measurements.csv $(REPORT)/
 	@echo "report: $(REPORT)/index.html"
 	@$(IFEDEM) check $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
