@@ -143,13 +143,14 @@ std::variant<Quantity, Missing> measured(const Judge& j) {
     if (is_against_ledger && m->units != j.out.ledger.units)
         return Missing{
             fmt::format("{} was measured in {} but the ledger row is in {}", name, m->units, j.out.ledger.units)};
-    const bool is_exact = j.out.ledger.kind == "exact";
+    // Only what was read off the text has a last digit; a bound of the claim's own has none, nor has a closed form.
+    const bool is_read = is_against_ledger && j.out.ledger.kind != "exact";
     const double reading =
-        is_exact ? 0 : reading_uncertainty(j.out.reference_text, j.out.units, j.claim.first_gravity());
+        is_read ? reading_uncertainty(j.out.reference_text, j.out.units, j.claim.first_gravity()) : 0;
     Quantity q{m->value, m->scatter, 0, m->n, m->note};
     j.out.units = m->units;
     if (m->uncertainty)
-        q.uncertainty = std::hypot(*m->uncertainty, is_against_ledger ? reading : 0);
+        q.uncertainty = std::hypot(*m->uncertainty, reading);
     else if (m->n > 1)
         q.uncertainty = prediction_uncertainty(m->scatter, static_cast<double>(m->n - 1), m->n, reading);
     else if (!j.claim.tolerance)

@@ -265,6 +265,7 @@ TEST_F(Project, MeasurementsStandBesideRuns) {
     // t(0.975, 4) = 2.776 and half a unit of the last digit: U = √((2.776 · 0.5)² · 6/5 + 0.5²).
     EXPECT_NEAR(o[3].uncertainty, std::sqrt(2.7764 * 2.7764 * 0.25 * 1.2 + 0.25), 1e-3);
     EXPECT_EQ(o[3].verdict, Verdict::match);
+    EXPECT_NEAR(o[4].uncertainty, std::sqrt(2.7764 * 2.7764 * 0.25 * 1.2), 1e-3);  // the claim's own 28 is not read off
     EXPECT_EQ(o[4].verdict, Verdict::not_reproduced);
     EXPECT_EQ(o[5].verdict, Verdict::match);
     EXPECT_NE(o[6].detail.find("measured in m but the ledger row is in deg"), std::string::npos);
