@@ -29,9 +29,11 @@ Document compose(const ReportRequest& request, const CheckResult& result, const 
     const auto& campaign = result.campaign;
     Document d;
     d.title = report_title(request, outcomes);
+    // Some chapters hand over measurements instead of runs.
+    const std::string runs = campaign.runs.empty() ? "" : fmt::format("{} runs, ", campaign.runs.size());
     d.subtitle =
-        fmt::format("A reproduction with ifedem: {} runs, {} checks of the dissertation’s statements, judged by rule.",
-                    campaign.runs.size(), outcomes.size());
+        fmt::format("A reproduction with ifedem: {}{} checks of the dissertation’s statements, judged by rule.", runs,
+                    outcomes.size());
     d.first_line = fmt::format("Verdicts: {} — {}.", verdict_line(outcomes), worse_text(outcomes));
     const auto counts = count_verdicts(outcomes);
     for (std::size_t k = 0; k < counts.size(); ++k) {
