@@ -1,6 +1,6 @@
 #!/bin/sh
 # gains.sh OUT DEFAULT RUN...: how well the controllers follow their targets with gains × 0.1 and × 10, runs named LOOPTERMxFACTOR-…
-# (drawbarP0.1-tyre-s22-r1), between x = 0.9 and 1.2 m. Writes OUT/gains.csv (rms error of hub speed and of angular velocity over the
+# (drawbarP0.1-tyre-s22-r1), in the case's averaging window. Writes OUT/gains.csv (rms error of hub speed and of angular velocity over the
 # target, in percent) and OUT/measurements.csv: the greatest change by an I or D gain over the greatest by a P gain, as
 # |ln(error / default's error)| of the loop's own quantity. Without a pair of each there is nothing to compare.
 set -eu
@@ -9,11 +9,11 @@ shift
 mkdir -p "$out"
 for run in "$@"; do
     name=$(basename "$run")
-    speed_m_s=$(sed -n 's/^speed_m_s = \([^ ]*\).*/\1/p' "$run/case.toml")
-    slip=$(sed -n 's/^slip_percent = \([^ ]*\).*/\1/p' "$run/case.toml")
-    awk -F, -v name="${name%%-*}" -v target="$speed_m_s" -v slip="$slip" '
+    value() { sed -n "s/^$1 = \([^ ]*\).*/\1/p" "$run/case.toml"; }
+    awk -F, -v name="${name%%-*}" -v target="$(value speed_m_s)" -v slip="$(value slip_percent)" \
+        -v from="$(value stress_from_x_m)" -v to="$(value stress_to_x_m)" '
         FNR == 1 { for (k = 1; k <= NF; ++k) at[$k] = k; next }
-        $at["wheel_x_m"] >= 0.9 && $at["wheel_x_m"] <= 1.2 {
+        $at["wheel_x_m"] >= from && $at["wheel_x_m"] <= to {
             v = $at["hub_speed_m_s"] / (target * (1 - slip / 100)) - 1; w = $at["omega_rad_s"] / $at["commanded_omega_rad_s"] - 1
             speed += v * v; turning += w * w; ++n }
         END { if (n) printf "%s,%.4g,%.4g\n", name, 100 * sqrt(speed / n), 100 * sqrt(turning / n) }' "$run/series.csv"

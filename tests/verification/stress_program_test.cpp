@@ -98,7 +98,18 @@ TEST(StressProgram, measures_all_that_the_claims_name) {
         runs += small.scratch.file(slip) + " ";
     }
     ASSERT_EQ(run_program("stress " + runs + "-o " + small.scratch.file("out")), 0);
-    const auto measured = read_measures(small.scratch.file("out/measurements.csv"));
+    auto measured = read_measures(small.scratch.file("out/measurements.csv"));
+    // What the sensitivity runs measure: how the controllers follow with other gains.
+    std::string gains = "sh " IFEDEM_SOURCE_DIR "/reproductions/chapter4/gains.sh " + small.scratch.file("gains");
+    const std::string proportional = "--set control.drawbar.proportional_N_m=",
+                      integral = "--set control.drawbar.integral_N_m_s=";
+    for (const auto& [name, change] : std::map<std::string, std::string>{
+             {"atext", ""}, {"drawbarI10", integral + "1e5"}, {"drawbarP10", proportional + "1e7"}}) {
+        ASSERT_EQ(small.run(name, change), 0);
+        gains += " " + small.scratch.file(name);
+    }
+    ASSERT_EQ(std::system(gains.c_str()), 0);
+    measured.merge(read_measures(small.scratch.file("gains/measurements.csv")));
     // Three discs deep, the bed has no bulk; a centimetre of travel leaves no surface behind the wheel.
     const std::set<std::string> too_small{"void_ratio", "surface_rougher_s22"};
     std::istringstream lines(read_text(IFEDEM_SOURCE_DIR "/reproductions/chapter4/claims.csv"));
