@@ -1,10 +1,11 @@
 # Time of a travel against its number of discs, both over discs only. Strings from the report: style, output, data, ylabel.
+plot_size = "640,560"
 load style
 set xrange [0:0.6]
 set yrange [0:0.6]
 set xlabel "discs over those of discs only [-]"
 set ylabel ylabel
-set key top left samplen 1.8 spacing 1.15 textcolor rgb ink
+set key outside bottom center horizontal Left reverse samplen 1.8 spacing 1.1 textcolor rgb ink
 of(region) = strcol(1) eq region ? $4 : NaN
 hue(n) = n == 1 ? "#d55e00" : n == 2 ? "#e69f00" : n == 3 ? "#009e73" : "#cc79a7"
 names = "small middle large row"
