@@ -21,7 +21,6 @@ TargetMatch match_target(const std::vector<double>& values, double target) {
     return m;
 }
 
-/// As many decimals as a scatter of two digits has.
 std::string number_within(double value, double scatter) {
     if (!std::isfinite(value)) return "–";
     if (!(scatter > 0)) return fmt::format("{:.3g}", value);

@@ -54,8 +54,9 @@ $(OUT)/$(1)/run.csv: $(INPUTS) | $(OUT)/ready/$(4)
 	else exec $(IFEDEM) run $(2) -o $(OUT)/$(1) --force --quiet --stages $(STAGES) $(3); fi
 endef
 
-# Runs that are done, as directories; what failed is not among them, nor what an older program left.
-fresh_runs = $$(for r in $(RUNS); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] && echo $(OUT)/$$r; done)
+# Those of the runs that are done, as directories; what failed is not among them, nor what an older program left.
+fresh = $$(for r in $(1); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] && echo $(OUT)/$$r; done)
+fresh_runs = $(call fresh,$(RUNS))
 
 # All travels, whatever fails; then the list of what did. Both the engine and the watcher run beside the shell, so that it can
 # stop them when it is stopped.

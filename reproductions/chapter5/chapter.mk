@@ -61,10 +61,8 @@ $(OUT)/confined/measurements.csv: $(INPUTS)
 	@exec > $(OUT)/logs/confined.log 2>&1; exec $(IFEDEM) confined $(CHAPTER)/cases/small.toml -o $(OUT)/confined
 
 # Of `more` what there is.
-fresh_more = $$(for r in $(MORE); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] && echo $(OUT)/$$r; done)
-
 report: $(INPUTS)
-	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs) $(fresh_more)
+	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs) $(call fresh,$(MORE))
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT) \
 	  --title "Chapter 5: soil that changes between elements and discs" --command "$(COMMAND)"
 	@cp $(OUT)/measured/runs.csv $(OUT)/measured/measurements.csv $(REPORT)/
