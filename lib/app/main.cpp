@@ -230,7 +230,7 @@ void add_points(CLI::App& app, PointsRequest& request) {
 struct PictureArguments {
     std::string run, output;
     long frame = -1;
-    bool sheet = false, animation = false;
+    bool sheet = false, animation = false, pressure = false;
 };
 
 void add_picture(CLI::App& app, PictureArguments& a) {
@@ -240,10 +240,12 @@ void add_picture(CLI::App& app, PictureArguments& a) {
     picture->add_option("--frame", a.frame, "number of the frame, from 0; -1 for the last");
     picture->add_flag("--sheet", a.sheet, "a contact sheet of nine frames instead");
     picture->add_flag("--animation", a.animation, "a GIF of all frames instead");
+    picture->add_flag("--pressure", a.pressure, "sheet and animation: discs coloured by pressure, not by speed");
     picture->callback([&] {
+        const DiscColour colour = a.pressure ? DiscColour::pressure : DiscColour::speed;
         std::filesystem::create_directories(a.output);
-        if (a.sheet) draw_contact_sheet(a.run, a.output);
-        if (a.animation) draw_animation(a.run, a.output);
+        if (a.sheet) draw_contact_sheet(a.run, a.output, colour);
+        if (a.animation) draw_animation(a.run, a.output, colour);
         if (!a.sheet && !a.animation) draw_pictures(a.run, a.output, a.frame);
     });
 }

@@ -22,11 +22,11 @@ double relative_size(const Mesh& wheel) {
 }
 
 /// The part of the bed that the wheel passes, at true size.
-SnapshotOptions frame_travel(const std::vector<Frame>& frames, const Mesh& wheel) {
+SnapshotOptions frame_travel(const std::vector<ShownFrame>& frames, const Mesh& wheel) {
     const double size = relative_size(wheel);
     SnapshotOptions options;
     options.x_min_m = 1e9, options.x_max_m = -1e9, options.y_max_m = 0;
-    for (const Frame& frame : frames) {
+    for (const auto& [frame, soil] : frames) {
         options.x_min_m = std::min(options.x_min_m, frame.hub_position_m.x - 0.25 * size);
         options.x_max_m = std::max(options.x_max_m, frame.hub_position_m.x + 0.25 * size);
         options.y_max_m = std::max(options.y_max_m, frame.hub_position_m.y + 0.2 * size);
@@ -34,14 +34,20 @@ SnapshotOptions frame_travel(const std::vector<Frame>& frames, const Mesh& wheel
     return options;
 }
 
+ShownFrame read_shown(const FrameReader& results, std::size_t k, const std::string& run_directory) {
+    ShownFrame shown{results.read(k), {}};
+    shown.soil = read_soil_outline(run_directory, shown.frame.time_s);
+    return shown;
+}
+
 /// Up to `most` frames, evenly spaced, the first and the last among them.
-std::vector<Frame> read_some(const FrameReader& results, std::size_t most, const std::string& path) {
+std::vector<ShownFrame> read_some(const FrameReader& results, std::size_t most, const std::string& run_directory) {
     const std::size_t count = results.frames().size();
-    if (count == 0) fail_io(fmt::format("{} has no frames yet. Resume the run?", path));
+    if (count == 0) fail_io(fmt::format("{}/results.h5 has no frames yet. Resume the run?", run_directory));
     const std::size_t shown = std::min(most, count);
-    std::vector<Frame> frames;
+    std::vector<ShownFrame> frames;
     for (std::size_t k = 0; k < shown; ++k)
-        frames.push_back(results.read(shown == 1 ? count - 1 : k * (count - 1) / (shown - 1)));
+        frames.push_back(read_shown(results, shown == 1 ? count - 1 : k * (count - 1) / (shown - 1), run_directory));
     return frames;
 }
 
@@ -55,41 +61,39 @@ void draw_pictures(const std::string& run_directory, const std::string& out_dire
     if (number < 0 || number >= count)
         fail_input(fmt::format("{} has no frame {} (it holds {}). Choose --frame below that?", path, frame, count));
     const FrameFileHeader header = results.header();
-    const Frame shown = results.read(static_cast<std::uint64_t>(number));
+    const ShownFrame shown = read_shown(results, static_cast<std::size_t>(number), run_directory);
     const double length_m = parse_case(header.case_text, path).bed.length_m;
     const double size = relative_size(header.mesh);
-    const Vec2 hub = shown.hub_position_m;
+    const Vec2 hub = shown.frame.hub_position_m;
     SnapshotOptions near;
-    near.soil = read_soil_outline(run_directory, shown.time_s);
     near.width_px = 800;  // sharp on a page, and a chapter's report stays below 5 MiB
     near.x_min_m = hub.x - 0.35 * size, near.x_max_m = hub.x + 0.25 * size;
     near.y_min_m = 0, near.y_max_m = hub.y + 0.2 * size;
     write_snapshot_png(out_directory + "/snapshot.png", shown, header.mesh, near);
     SnapshotOptions far;
-    far.soil = near.soil;
     far.width_px = near.width_px;
     far.x_max_m = length_m, far.y_max_m = near.y_max_m;
     far.colour = DiscColour::pressure;
     write_snapshot_png(out_directory + "/snapshot_bed.png", shown, header.mesh, far);
 }
 
-void draw_contact_sheet(const std::string& run_directory, const std::string& out_directory) {
-    const std::string path = run_directory + "/results.h5";
-    const FrameReader results(path);
+void draw_contact_sheet(const std::string& run_directory, const std::string& out_directory, DiscColour colour) {
+    const FrameReader results(run_directory + "/results.h5");
     const Mesh wheel = results.header().mesh;
-    const std::vector<Frame> frames = read_some(results, 9, path);
+    const std::vector<ShownFrame> frames = read_some(results, 9, run_directory);
     SnapshotOptions options = frame_travel(frames, wheel);
     options.width_px = 640;
+    options.colour = colour;
     write_contact_sheet_png(out_directory + "/contact_sheet.png", frames, wheel, options, 3);
 }
 
-void draw_animation(const std::string& run_directory, const std::string& out_directory) {
-    const std::string path = run_directory + "/results.h5";
-    const FrameReader results(path);
+void draw_animation(const std::string& run_directory, const std::string& out_directory, DiscColour colour) {
+    const FrameReader results(run_directory + "/results.h5");
     const Mesh wheel = results.header().mesh;
-    const std::vector<Frame> frames = read_some(results, results.frames().size(), path);
+    const std::vector<ShownFrame> frames = read_some(results, results.frames().size(), run_directory);
     SnapshotOptions options = frame_travel(frames, wheel);
     options.width_px = 900;
+    options.colour = colour;
     write_animation_gif(out_directory + "/travel.gif", frames, wheel, options, 200);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "record/snapshot.hpp"
+
 namespace ifedem {
 
 /// Draws a recorded frame of a run directory again: snapshot.png near the wheel, coloured by speed, and
@@ -9,9 +11,9 @@ namespace ifedem {
 void draw_pictures(const std::string& run_directory, const std::string& out_directory, long frame);
 
 /// contact_sheet.png: up to nine frames, evenly spaced over the travel.
-void draw_contact_sheet(const std::string& run_directory, const std::string& out_directory);
+void draw_contact_sheet(const std::string& run_directory, const std::string& out_directory, DiscColour colour);
 
 /// travel.gif: all frames, one after the other.
-void draw_animation(const std::string& run_directory, const std::string& out_directory);
+void draw_animation(const std::string& run_directory, const std::string& out_directory, DiscColour colour);
 
 }  // namespace ifedem

@@ -109,8 +109,8 @@ FigureGroup draw_runs(const std::string& directory, std::vector<SweepPoint>& poi
         const std::string run = directory + "/" + point.name;
         if (!fs::exists(run + "/results.h5")) continue;
         try {
-            if (!fs::exists(run + "/contact_sheet.png")) draw_contact_sheet(run, run);
-            if (!fs::exists(run + "/travel.gif")) draw_animation(run, run);
+            if (!fs::exists(run + "/contact_sheet.png")) draw_contact_sheet(run, run, DiscColour::speed);
+            if (!fs::exists(run + "/travel.gif")) draw_animation(run, run, DiscColour::speed);
         } catch (const Error& error) {
             point.note += (point.note.empty() ? "" : "; ") + std::string(error.what());
             continue;

@@ -50,7 +50,7 @@ std::vector<FigureRow> read_all_rows(const std::string& chapter) {
 
 using Variables = std::vector<std::pair<std::string, std::string>>;
 
-Figure start_figure(const FigureRow& row, const char* image_ending) {
+Figure start_figure(const FigureRow& row, const std::string& image_ending) {
     Figure f;
     f.name = row.name;
     f.title = row.title;
@@ -154,7 +154,7 @@ std::optional<Figure> copy_snapshot(const FigureRow& row, const ReportPaths& pat
 std::optional<Figure> copy_picture(const FigureRow& row, const ReportPaths& paths, const Campaign& campaign) {
     const std::string path = find_file(row, campaign);
     if (path.empty()) return std::nullopt;
-    Figure figure = start_figure(row, "png");
+    Figure figure = start_figure(row, path.substr(path.size() - 3));
     figure.data.clear();
     fs::copy_file(path, paths.out + "/" + figure.image, fs::copy_options::overwrite_existing);
     return figure;
@@ -180,7 +180,7 @@ std::vector<Figure> draw_figures(const ReportPaths& paths, const Campaign& campa
     std::vector<Figure> figures;
     fs::create_directories(fs::path(paths.out) / "figures");
     for (const auto& row : read_all_rows(paths.chapter)) {
-        const bool is_picture = row.data == "file" && row.series.ends_with(".png");
+        const bool is_picture = row.data == "file" && (row.series.ends_with(".png") || row.series.ends_with(".gif"));
         const auto figure = row.data == "snapshot" ? copy_snapshot(row, paths, campaign)
                             : is_picture           ? copy_picture(row, paths, campaign)
                                                    : draw_lines(row, paths, campaign, outcomes);

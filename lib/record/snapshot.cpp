@@ -146,7 +146,8 @@ const std::vector<float>& coloured_values(const Frame& frame, DiscColour colour)
 }
 
 /// Data and the plot command of one frame; where it goes on the canvas is set before.
-std::string draw_frame(const Frame& frame, const Mesh& wheel, const SnapshotOptions& o) {
+std::string draw_frame(const ShownFrame& shown, const Mesh& wheel, const SnapshotOptions& o) {
+    const Frame& frame = shown.frame;
     const bool speed = o.colour == DiscColour::speed;
     const std::vector<float>& values = coloured_values(frame, o.colour);
     const double scale = speed ? 1 : 1e-3;
@@ -157,10 +158,10 @@ std::string draw_frame(const Frame& frame, const Mesh& wheel, const SnapshotOpti
     std::string script = axes(title, speed ? "speed [m/s]" : "pressure [kPa]", colour_max, o) + palette;
     script += disc_data(frame, values, scale, o);
     std::string plot = "plot ";
-    if (!o.soil.element_m.empty()) {
-        script += soil_data(o.soil);
+    if (!shown.soil.element_m.empty()) {
+        script += soil_data(shown.soil);
         plot += "$soil with filledcurves closed fc rgb '#e9e2d0', $soil with lines lw 0.8 lc rgb '#8a7f66', ";
-        if (!o.soil.attached.empty()) plot += "$attached using 1:2:3 with circles lc rgb '#8a7f66', ";
+        if (!shown.soil.attached.empty()) plot += "$attached using 1:2:3 with circles lc rgb '#8a7f66', ";
     }
     plot += "$discs using 1:2:3:4 with circles lc palette";
     for (const std::size_t part : parts_present(frame, wheel)) {
@@ -177,9 +178,9 @@ std::string draw_frame(const Frame& frame, const Mesh& wheel, const SnapshotOpti
 }
 
 /// Frames one after the other on one canvas, all with the same colours: those of the fastest frame.
-SnapshotOptions share_colours(std::span<const Frame> frames, SnapshotOptions o) {
+SnapshotOptions share_colours(std::span<const ShownFrame> frames, SnapshotOptions o) {
     if (o.colour_max > 0) return o;
-    for (const Frame& frame : frames)
+    for (const auto& [frame, soil] : frames)
         o.colour_max = std::max(o.colour_max, choose_colour_max(frame, coloured_values(frame, o.colour), o));
     return o;
 }
@@ -236,17 +237,17 @@ void draw(const std::string& path, const Make& make) {
 
 }  // namespace
 
-void write_snapshot_png(const std::string& path, const Frame& frame, const Mesh& wheel,
+void write_snapshot_png(const std::string& path, const ShownFrame& shown, const Mesh& wheel,
                         const SnapshotOptions& options) {
     check_options(options);
     const Panel all = size_panel(options);
     draw(path, [&](const std::string& output) {
         return canvas("pngcairo", output, all.width_px, all.height_px) + margins(all, all.width_px, all.height_px) +
-               draw_frame(frame, wheel, options) + "unset output\n";
+               draw_frame(shown, wheel, options) + "unset output\n";
     });
 }
 
-void write_contact_sheet_png(const std::string& path, std::span<const Frame> frames, const Mesh& wheel,
+void write_contact_sheet_png(const std::string& path, std::span<const ShownFrame> frames, const Mesh& wheel,
                              const SnapshotOptions& options, int columns) {
     check_options(options);
     const SnapshotOptions shared = share_colours(frames, options);
@@ -267,7 +268,7 @@ void write_contact_sheet_png(const std::string& path, std::span<const Frame> fra
     });
 }
 
-void write_animation_gif(const std::string& path, std::span<const Frame> frames, const Mesh& wheel,
+void write_animation_gif(const std::string& path, std::span<const ShownFrame> frames, const Mesh& wheel,
                          const SnapshotOptions& options, int frame_ms) {
     check_options(options);
     const SnapshotOptions shared = share_colours(frames, options);
@@ -276,7 +277,7 @@ void write_animation_gif(const std::string& path, std::span<const Frame> frames,
         std::string script = canvas(fmt::format("gif animate delay {} loop 0 optimize", frame_ms / 10), output,
                                     all.width_px, all.height_px) +
                              margins(all, all.width_px, all.height_px);
-        for (const Frame& frame : frames) script += draw_frame(frame, wheel, shared);
+        for (const ShownFrame& frame : frames) script += draw_frame(frame, wheel, shared);
         return script + "unset output\n";
     });
 }

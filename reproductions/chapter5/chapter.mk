@@ -20,6 +20,9 @@ VARIED  := discs1451:elements.pattern_discs=1451 handover:elements.stress_handov
            step2e5:time_step_s=2e-5
 ifeq ($(SET),sensitivity)
 RUNS    := small-s40-r1 $(foreach v,$(VARIED),small-s40-r1-$(firstword $(subst :, ,$(v))))
+else ifeq ($(SET),handover)
+# Beyond the text: the stress handed over at every conversion, beside the campaign's runs.
+RUNS    := $(foreach s,$(SLIPS),small-s$(s)-r1 small-s$(s)-r1-handover)
 else
 MAIN    := $(foreach g,$(REGIONS),$(foreach s,$(SLIPS),$(g)-s$(s)-r1))
 # Whether results approach those of discs only as the region grows is a matter of a few newtons: eight realisations at 0 and 10 %.
@@ -27,7 +30,7 @@ MORE    := $(foreach r,2 3 4 5 6 7 8,$(foreach g,small large discs,$(foreach s,0
 RUNS    ?= $(if $(filter more,$(SET)),$(MORE),$(MAIN))
 endif
 
-.PHONY: reproduce more runs report quick sensitivity table
+.PHONY: reproduce more runs report quick sensitivity table handover handover-table
 
 reproduce:
 	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
@@ -81,6 +84,16 @@ table: $(INPUTS)
 	@awk -F, -v varied="$(VARIED)" -f $(CHAPTER)/differences.awk $(OUT)/sensitivity/runs.csv > $(REPORT)/sensitivity.csv
 	@cat $(REPORT)/sensitivity.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
+
+handover:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs SET=handover
+	@$(MAKE) --no-print-directory -f $(SWEEP) handover-table SET=handover
+
+handover-table: $(INPUTS)
+	@mkdir -p $(REPORT)
+	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/handover $(fresh_runs)
+	@awk -f $(CHAPTER)/handover.awk $(OUT)/handover/runs.csv $(OUT)/handover/epochs.csv > $(REPORT)/handover.csv
+	@cat $(REPORT)/handover.csv
 
 # The machinery, not the numbers: one block of confined compression and a short travel with a conversion.
 QUICK := build/runs/quick5

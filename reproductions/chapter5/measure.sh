@@ -8,15 +8,17 @@ shift 2
 mkdir -p "$out"
 here=$(dirname "$0")
 
-echo "run,quantity,conversions,step,standard_error" > "$out/epochs.csv"
+echo "run,kind,quantity,conversions,step,standard_error" > "$out/epochs.csv"
 echo "run,ahead_kPa,behind_kPa,positive_kPa" > "$out/shear.csv"
 echo "run,region,slip_percent,realisation,gross_N,net_N,resistance_N,sinkage_cm,vertical_N,slip,cpu_s,conversions,refused,upheaval_cm,rut_cm,discs,state_hash,results_version" > "$out/runs.csv"
 for run in "$@"; do
     name=$(basename "$run")
     case $name in *-s40-r1 | *-s70-r1) cp "$run/snapshot_bed.png" "$out/${name%-r1}.png" ;; esac
+    # Fig 5-A.1: the travel as a strip of pictures and as an animation.
+    [ "$name" != large-s40-r1 ] || "$ifedem" picture "$run" -o "$out" --sheet --animation --pressure
     step_s=$(sed -n 's/^time_step_s = \([^ ]*\).*/\1/p' "$run/case.toml")
     [ ! -f "$run/conversions.csv" ] || awk -v step_s="$step_s" -v half=0.25 -v name="$name" -f "$here/epoch.awk" \
-        "$run/conversions.csv" "$run/series.csv" >> "$out/epochs.csv"
+        "$run/conversions.csv" "$run/soil.csv" "$run/series.csv" >> "$out/epochs.csv"
     # Shear stress of the discs in the row under the tyre: the mean over a block ahead of the axle and over one behind the
     # tyre, and the largest mean of a cell of 5 cm.
     [ ! -f "$run/stress.csv" ] || awk -F, -v name="$name" '
@@ -31,6 +33,15 @@ for run in "$@"; do
             for (c in sum) if (area[c] > 2.5e-4 && sum[c] / area[c] > most) most = sum[c] / area[c]
             printf "%s,%.4g,%.4g,%.4g\n", name, ahead_area ? ahead / ahead_area / 1000 : 0, behind_area ? behind / behind_area / 1000 : 0, most / 1000
         }' "$run/series.csv" "$run/stress.csv" >> "$out/shear.csv"
+    # Fig 5-16: mean shear stress (Eq 5.10) over squares of 2.5 cm of discs, and that of each soil element.
+    case $name in small-s40-r1 | discs-s40-r1) awk -F, -v edge=0.025 '
+        FILENAME ~ /series.csv$/ { if (FNR == 1) for (k = 1; k <= NF; ++k) at[$k] = k; else hub_x = $at["wheel_x_m"]; next }
+        $1 == "element" { print "element," $2 "," $3 ",0.075,0.1," $7 / 1000 }
+        $1 == "disc" { sum[int($2 / edge) "," int($3 / edge)] += 3.14159265 * $4 * $4 * $7 / (edge * edge) / 1000 }
+        END {
+            for (cell in sum) { split(cell, place, ","); printf "disc,%g,%g,%g,%g,%.4g\n", edge * (place[1] + 0.5), edge * (place[2] + 0.5), edge / 2, edge / 2, sum[cell] }
+            printf "axle,%.4f,,,,\n", hub_x
+        }' "$run/series.csv" "$run/stress.csv" | sort > "$out/shear-${name%-r1}.csv" ;; esac
     "$ifedem" surface "$run" -o "$out/surface-$name.csv"
     awk -F, -v name="$name" -v last=0.3 '
         FILENAME ~ /run.csv$/ { if ($1 == "cpu_s") cpu = $2; if ($1 == "particles") discs = $2
@@ -158,8 +169,8 @@ awk -F, '
 # Epochs over all runs with conversions, each run weighted alike; shear of the small region against discs only.
 awk -F, '
     FILENAME ~ /epochs.csv$/ {
-        if (FNR == 1) next
-        ++n[$2]; sum[$2] += $4; var[$2] += $5 * $5; made[$2] += $3; next }
+        if ($2 == "all") { ++n[$3]; sum[$3] += $5; var[$3] += $6 * $6; made[$3] += $4 }
+        next }
     FNR > 1 { ahead[$1] = $2; behind[$1] = $3; most[$1] = $4 }
     END {
         split("net_traction_N vertical_force_N sinkage_mm", q, " "); unit[1] = unit[2] = "N"; unit[3] = "mm"

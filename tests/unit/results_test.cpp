@@ -387,9 +387,9 @@ TEST(Snapshot, DrawsTheSameBytesTwiceAndOthersForAnotherFrame) {
     options.width_px = 480;  // 480 - 110 - 170 for 4 m, so 2200 px and the margins for 44 m
     options.title = "a 'quoted' {title}";
     const Mesh wheel = two_quads().mesh;
-    write_snapshot_png(scratch.file("it's a.png"), frame_at(41), wheel, options);
-    write_snapshot_png(scratch.file("b.png"), frame_at(41), wheel, options);
-    write_snapshot_png(scratch.file("c.png"), frame_at(42), wheel, options);
+    write_snapshot_png(scratch.file("it's a.png"), {frame_at(41), {}}, wheel, options);
+    write_snapshot_png(scratch.file("b.png"), {frame_at(41), {}}, wheel, options);
+    write_snapshot_png(scratch.file("c.png"), {frame_at(42), {}}, wheel, options);
     const std::string picture = read_text(scratch.file("it's a.png"));
     ASSERT_EQ(picture.substr(0, 8), "\x89PNG\r\n\x1a\n");
     EXPECT_EQ(big_endian(picture, 16), 480U);
@@ -404,13 +404,13 @@ TEST(Snapshot, DrawsTheSameBytesTwiceAndOthersForAnotherFrame) {
 
 TEST(Snapshot, SaysWhatWentWrong) {
     const Scratch scratch;
-    EXPECT_THROW(write_snapshot_png(scratch.file("none/a.png"), frame_at(41), {}, {}), Error);
+    EXPECT_THROW(write_snapshot_png(scratch.file("none/a.png"), {frame_at(41), {}}, {}, {}), Error);
     SnapshotOptions upside_down;
     upside_down.y_max_m = -1;
-    EXPECT_THROW(write_snapshot_png(scratch.file("a.png"), frame_at(41), {}, upside_down), Error);
+    EXPECT_THROW(write_snapshot_png(scratch.file("a.png"), {frame_at(41), {}}, {}, upside_down), Error);
     const std::string old_path = std::getenv("PATH");
     setenv("PATH", "/nowhere", 1);
-    EXPECT_THROW(write_snapshot_png(scratch.file("a.png"), frame_at(41), {}, {}), Error);
+    EXPECT_THROW(write_snapshot_png(scratch.file("a.png"), {frame_at(41), {}}, {}, {}), Error);
     setenv("PATH", old_path.c_str(), 1);
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path));
 }
