@@ -396,6 +396,9 @@ TEST(Snapshot, DrawsTheSameBytesTwiceAndOthersForAnotherFrame) {
     EXPECT_EQ(big_endian(picture, 20), 2200U + 55 + 90);
     EXPECT_TRUE(picture == read_text(scratch.file("b.png")));
     EXPECT_FALSE(picture == read_text(scratch.file("c.png")));
+    const SoilOutline soil{{{Vec2{41, -10}, Vec2{43, -10}, Vec2{43, -8}, Vec2{41, -8}}}, {}};
+    write_snapshot_png(scratch.file("c.png"), {frame_at(41), soil}, wheel, options);
+    EXPECT_FALSE(picture == read_text(scratch.file("c.png"))) << "the soil's element is not drawn";
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(scratch.path))
         files += entry.is_regular_file() ? 1U : 0U;
