@@ -65,7 +65,7 @@ $(OUT)/confined/measurements.csv: $(INPUTS)
 
 # Of `more` what there is.
 report: $(INPUTS)
-	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs) $(call fresh,$(MORE))
+	@$(CHAPTER)/measure/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs) $(call fresh,$(MORE))
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT) \
 	  --title "Chapter 5: soil that changes between elements and discs" --command "$(COMMAND)"
 	@cp $(OUT)/measured/runs.csv $(OUT)/measured/measurements.csv $(REPORT)/
@@ -80,8 +80,8 @@ sensitivity:
 # Means over the last 0.3 m, the campaign's run first: what, the change, the values and their differences from that run.
 table: $(INPUTS)
 	@mkdir -p $(REPORT)
-	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/sensitivity $(fresh_runs)
-	@awk -F, -v varied="$(VARIED)" -f $(CHAPTER)/differences.awk $(OUT)/sensitivity/runs.csv > $(REPORT)/sensitivity.csv
+	@$(CHAPTER)/measure/measure.sh $(IFEDEM) $(OUT)/sensitivity $(fresh_runs)
+	@awk -F, -v varied="$(VARIED)" -f $(CHAPTER)/measure/differences.awk $(OUT)/sensitivity/runs.csv > $(REPORT)/sensitivity.csv
 	@cat $(REPORT)/sensitivity.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
 
@@ -91,8 +91,8 @@ handover:
 
 handover-table: $(INPUTS)
 	@mkdir -p $(REPORT)
-	@$(CHAPTER)/measure.sh $(IFEDEM) $(OUT)/handover $(fresh_runs)
-	@awk -f $(CHAPTER)/handover.awk $(OUT)/handover/runs.csv $(OUT)/handover/epochs.csv > $(REPORT)/handover.csv
+	@$(CHAPTER)/measure/measure.sh $(IFEDEM) $(OUT)/handover $(fresh_runs)
+	@awk -f $(CHAPTER)/measure/handover.awk $(OUT)/handover/runs.csv $(OUT)/handover/epochs.csv > $(REPORT)/handover.csv
 	@cat $(REPORT)/handover.csv
 
 # The machinery, not the numbers: one block of confined compression and a short travel with a conversion.
@@ -101,7 +101,7 @@ quick:
 	@mkdir -p $(QUICK)
 	@$(IFEDEM) confined $(CHAPTER)/cases/small.toml -o $(QUICK)/confined
 	@$(IFEDEM) run $(CHAPTER)/cases/short.toml -o $(QUICK)/small-s40-r1 --force --quiet
-	@$(CHAPTER)/measure.sh $(IFEDEM) $(QUICK)/measured $(QUICK)/small-s40-r1
+	@$(CHAPTER)/measure/measure.sh $(IFEDEM) $(QUICK)/measured $(QUICK)/small-s40-r1
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(QUICK)/measured $(QUICK)/confined \
 	  -o build/reports/quick5 --title "Chapter 5, quick: the machinery, not the numbers" --command "make quick-chapter5"
 	@echo "report: build/reports/quick5/index.html"
