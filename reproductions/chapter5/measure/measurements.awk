@@ -1,17 +1,17 @@
 # measurements.awk -v out=DIR runs.csv: DIR/curves.csv, means over realisations for the figures, and DIR/measurements.csv, what the
 # claims compare.
-BEGIN { FS = "," }
+BEGIN { FS = ","; split("12.706 4.303 3.182 2.776 2.571 2.447 2.365 2.306 2.262 2.228 2.201", t975, " ") }  # t(0.975) of 1 to 11 degrees of freedom
 function sd(sum, sum2, n) { return n > 1 && sum2 > sum * sum / n ? sqrt((sum2 - sum * sum / n) / (n - 1)) : 0 }
-function row(name, value, units, scatter, n, note) {
-    printf "%s,%.5g,%s,%.4g,%d,%s\n", name, value, units, scatter, n, note > (out "/measurements.csv") }
+function row(name, value, units, scatter, n, note, uncertainty) {
+    printf "%s,%.5g,%s,%.4g,%d,%s,%s\n", name, value, units, scatter, n, note, uncertainty > (out "/measurements.csv") }
 function distance(a, b) { return a > b ? a - b : b - a }
 FNR == 1 || $3 == "" { next }
 {
-    g = $2; s = $3; key = g SUBSEP s; ++n[key]
+    g = $2; s = $3; key = g SUBSEP s; ++n[key]; net_N[g, s, $4] = $6
     for (k = 5; k <= 15; ++k) { sum[key, k] += $k; sum2[key, k] += $k * $k }
 }
 END {
-    print "name,value,units,scatter,n,note" > (out "/measurements.csv")
+    print "name,value,units,scatter,n,note,uncertainty" > (out "/measurements.csv")
     print "region,slip_percent,n,gross_N,net_N,resistance_N,sinkage_cm,cpu_s,upheaval_cm,rut_cm" > (out "/curves.csv")
     split("small middle large row discs", all, " ")
     for (q = 1; q <= 5; ++q) for (s = 0; s <= 70; s += 10) if ((all[q], s) in n) {
@@ -54,11 +54,19 @@ END {
             row("rut_difference_" g, mean[a, 15] / mean[b, 15], "-", 0, 1, "depth of the rut over that of discs only at 70 %")
         }
     }
+    # Differences of our own variants, realisation by realisation, have the 95 % interval of their mean (contract).
     for (s = 0; s <= 10; s += 10) {
         a = "small" SUBSEP s; b = "large" SUBSEP s; c = "discs" SUBSEP s
-        if ((a in n) && (b in n) && (c in n))
-            row("approach_" s, (distance(mean[a, 6], mean[c, 6]) - distance(mean[b, 6], mean[c, 6])) / 980, "-", \
-                sqrt(dev[a, 6] ^ 2 + dev[b, 6] ^ 2) / 980, n[a], "how much nearer to discs only the large region is than the small one: net traction over W")
+        if (!((a in n) && (b in n) && (c in n))) continue
+        off_a = mean[a, 6] > mean[c, 6] ? 1 : -1; off_b = mean[b, 6] > mean[c, 6] ? 1 : -1
+        pairs = total = squares = 0
+        for (r = 1; r <= 12; ++r) if (((a, r) in net_N) && ((b, r) in net_N) && ((c, r) in net_N)) {
+            nearer = (off_a * (net_N[a, r] - net_N[c, r]) - off_b * (net_N[b, r] - net_N[c, r])) / 980
+            ++pairs; total += nearer; squares += nearer * nearer
+        }
+        scatter = sd(total, squares, pairs)
+        row("approach_" s, total / pairs, "-", scatter, pairs, "how much nearer to discs only the large region is than the small one: net traction over W", \
+            pairs > 1 ? sprintf("%.4g", t975[pairs - 1] * scatter / sqrt(pairs)) : "")
     }
     for (q = 1; q <= 5; ++q) {
         g = all[q]
