@@ -367,6 +367,26 @@ int start_run(LiveRun& run) {
     return go_through_stages(run, first);
 }
 
+/// What a stopped run left. False: it is damaged, which costs time, not the run.
+bool take_up(LiveRun& run) {
+    try {
+        Checkpoint checkpoint = read_checkpoint(checkpoint_path(run));
+        if (checkpoint.results_version != results_version)
+            fail_input(fmt::format(
+                "{} was written by results version {} (this program has {}; it would not give the same bits). "
+                "Run the case anew.",
+                checkpoint_path(run), checkpoint.results_version, results_version));
+        run.c = checkpoint.c;
+        run.state = std::move(checkpoint.state);
+        run.recorder =
+            std::make_unique<Recorder>(run.request.directory, run.c, make_wheel_mesh(run.c.wheel), run.state.progress);
+        return true;
+    } catch (const DamagedFile& damage) {
+        fmt::print(stderr, "note: {} The run begins anew.\n", damage.what());
+        return false;
+    }
+}
+
 }  // namespace
 
 int run_case(const RunRequest& request) {
@@ -393,25 +413,15 @@ int resume_case(const RunRequest& request) {
     if (!fs::exists(fs::path(dir) / "case.toml"))
         fail_input(fmt::format("{} holds no run (there is no case.toml in it). Check the path, or run the case?", dir));
     run.lock = DirectoryLock(dir, Busy::refuse);
-    if (!fs::exists(checkpoint_path(run))) {
-        if (fs::exists(dir + "/run.csv")) {
-            fmt::print("{} is complete\n", dir);
-            return static_cast<int>(ExitCode::done);
-        }
-        run.c = read_case(dir + "/case.toml");  // before anything is removed
-        empty_directory(dir);
-        return start_run(run);
+    const bool stopped = fs::exists(checkpoint_path(run));
+    if (!stopped && fs::exists(dir + "/run.csv")) {
+        fmt::print("{} is complete\n", dir);
+        return static_cast<int>(ExitCode::done);
     }
-    Checkpoint checkpoint = read_checkpoint(checkpoint_path(run));
-    if (checkpoint.results_version != results_version)
-        fail_input(
-            fmt::format("{} was written by results version {} (this program has {}; it would not give the same bits). "
-                        "Run the case anew.",
-                        checkpoint_path(run), checkpoint.results_version, results_version));
-    run.c = checkpoint.c;
-    run.state = std::move(checkpoint.state);
-    run.recorder = std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel), run.state.progress);
-    return go_through_stages(run, run.state.progress.stage);
+    if (stopped && take_up(run)) return go_through_stages(run, run.state.progress.stage);
+    run.c = read_case(dir + "/case.toml");  // before anything is removed
+    empty_directory(dir);
+    return start_run(run);
 }
 
 }  // namespace ifedem

@@ -31,7 +31,8 @@ struct RunRequest {
 /// what the program returns.
 [[nodiscard]] int run_case(const RunRequest& request);
 
-/// Goes on from the directory's last checkpoint (from the beginning if it was stopped before the first).
+/// Goes on from the directory's last checkpoint (from the beginning if it was stopped before the first,
+/// or if the checkpoint or the results are damaged).
 [[nodiscard]] int resume_case(const RunRequest& request);
 
 }  // namespace ifedem

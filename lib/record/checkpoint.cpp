@@ -192,19 +192,20 @@ void append_trailer(std::vector<std::byte>& image) {
 /// Verifies the trailer and takes it off.
 void remove_trailer(std::vector<std::byte>& image, const std::string& path) {
     const std::string advice = " Resume from an earlier checkpoint, or run the case again?";
-    if (image.size() <= trailer_size) fail_io("'" + path + "' is no checkpoint (too short; was it cut off?)." + advice);
+    if (image.size() <= trailer_size)
+        fail_damaged("'" + path + "' is no checkpoint (too short; was it cut off?)." + advice);
     const std::byte* trailer = image.data() + image.size() - trailer_size;
     if (std::memcmp(trailer, trailer_magic.data(), trailer_magic.size()) != 0) {
-        fail_io("'" + path + "' is no complete checkpoint (its last bytes are not the mark of one; was it cut off?)." +
-                advice);
+        fail_damaged("'" + path +
+                     "' is no complete checkpoint (its last bytes are not the mark of one; was it cut off?)." + advice);
     }
     std::uint64_t stored = 0;
     std::memcpy(&stored, trailer + trailer_magic.size(), sizeof stored);
     image.resize(image.size() - trailer_size);
     const std::uint64_t found = checksum(image);
     if (found != stored) {
-        fail_io("'" + path + "' is damaged (checksum " + to_hex(found) + ", should be " + to_hex(stored) + ")." +
-                advice);
+        fail_damaged("'" + path + "' is damaged (checksum " + to_hex(found) + ", should be " + to_hex(stored) + ")." +
+                     advice);
     }
 }
 

@@ -6,10 +6,20 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace ifedem {
 
 /// Throws Error(io): "cannot <action> '<path>' (<reason of errno>). <what to do about that reason>."
 [[noreturn]] void fail_errno(const std::string& action, const std::string& path);
+
+/// A file whose bytes are not those that were written. What it held can be made again from the case.
+class DamagedFile : public Error {
+public:
+    explicit DamagedFile(const std::string& message) : Error(ExitCode::io, message) {}
+};
+
+[[noreturn]] inline void fail_damaged(const std::string& message) { throw DamagedFile(message); }
 
 /// An open file that closes itself. Positions are explicit (pread, pwrite), so there is no hidden offset to lose.
 class OpenFile {

@@ -152,7 +152,8 @@ std::vector<T> read_all(const hdf5::File& file, const char* name, std::size_t co
     hsize_t stored = 1;
     for (const hsize_t length : hdf5::extent_of(dataset, path)) stored *= length;
     std::vector<T> values(count);
-    if (stored != count) fail_io("'" + path + "' is damaged (" + name + " has another length). Run the case again?");
+    if (stored != count)
+        fail_damaged("'" + path + "' is damaged (" + name + " has another length). Run the case again?");
     if (count > 0) {
         check(H5Dread(dataset, number_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", path);
     }
@@ -190,11 +191,11 @@ std::vector<FrameInfo> read_list(const hdf5::File& file, std::uint64_t count, co
     const auto total = read_all<std::uint64_t>(file, "frames/total_steps", room.frames, path);
     const auto discs = read_all<std::uint64_t>(file, "frames/disc_count", room.frames, path);
     const auto nodes = read_all<std::uint64_t>(file, "frames/node_count", room.frames, path);
-    if (count > room.frames) fail_io("'" + path + "' is damaged (more frames than room). Run the case again?");
+    if (count > room.frames) fail_damaged("'" + path + "' is damaged (more frames than room). Run the case again?");
     std::vector<FrameInfo> list;
     for (std::size_t k = 0; k < count; ++k) {
         if (discs[k] > room.discs || nodes[k] > room.nodes) {
-            fail_io("'" + path + "' is damaged (frame " + std::to_string(k) + "). Run the case again?");
+            fail_damaged("'" + path + "' is damaged (frame " + std::to_string(k) + "). Run the case again?");
         }
         list.push_back({time[k], {stage[k], step[k], total[k]}, discs[k], nodes[k]});
     }

@@ -30,7 +30,7 @@ Word combine(std::span<const Word> words) {
 }
 
 [[noreturn]] void fail_damaged(const std::string& path, const std::string& what) {
-    fail_io("'" + path + "' is damaged (" + what + "). Use an earlier copy, or run the case again?");
+    ifedem::fail_damaged("'" + path + "' is damaged (" + what + "). Use an earlier copy, or run the case again?");
 }
 
 void write_words(OpenFile& file, Word place, std::span<const Word> words) {

@@ -107,7 +107,8 @@ protected:
         // Nothing can be resumed before there is a case; then the same command works again.
         const bool begun = fs::exists(runs.directory(name) + "/case.toml");
         const Outcome end = (begun ? runs.resume(name) : runs.start(name)).wait();
-        if (end.status != 0) return "exit " + std::to_string(end.status) + ": " + end.errors;
+        if (end.status != 0 || end.errors.find("begins anew") != std::string::npos)
+            return "exit " + std::to_string(end.status) + ": " + end.errors;
         return runs.end_fault(name, "whole");
     }
 
@@ -252,6 +253,21 @@ TEST_F(Faults, ADamagedStageIsSimulatedAnew) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.errors.find("The stage is simulated anew."), std::string::npos) << outcome.errors;
     EXPECT_EQ(runs.end_fault("again", "whole"), "");
+}
+
+TEST_F(Faults, ADamagedRunBeginsAnew) {
+    for (const std::string file : {"checkpoint.h5", "results.h5"}) {
+        std::vector<std::string> arguments = runs.run_arguments("part");
+        arguments.insert(arguments.end(), {"--stop-at-step", "10800"});
+        ASSERT_EQ(Program(arguments, runs.log("part")).wait().status, 0);
+        fs::resize_file(runs.directory("part/" + file), fs::file_size(runs.directory("part/" + file)) - 1);
+        const Outcome outcome = runs.resume("part").wait();
+        EXPECT_EQ(outcome.status, 0) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(file), std::string::npos) << outcome.errors;
+        EXPECT_NE(outcome.errors.find("The run begins anew."), std::string::npos) << outcome.errors;
+        EXPECT_EQ(runs.end_fault("part", "whole"), "");
+        runs.remove("part");
+    }
 }
 
 // ---- no space ------------------------------------------------------------------------------------------------------

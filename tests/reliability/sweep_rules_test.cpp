@@ -111,8 +111,8 @@ protected:
         return is_held();
     }
 
-    /// Stops make while run `a` travels 0.2 m, then goes on.
-    void stop_and_go_on() const {
+    /// Stops make while run `a` travels 0.2 m.
+    void stop() const {
         const pid_t make = start_make();
         // Stopped once the travel has a checkpoint.
         const std::string checkpoint = scratch.file("runs/a/checkpoint.h5");
@@ -128,7 +128,11 @@ protected:
         for (int k = 0; k < 3000 && read_text(log).find("goes on from step") == std::string::npos; ++k)
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ASSERT_FALSE(fs::exists(scratch.file("runs/a/run.csv")));
+    }
 
+    /// The same, then goes on.
+    void stop_and_go_on() const {
+        ASSERT_NO_FATAL_FAILURE(stop());
         const Outcome second = run_make();
         ASSERT_EQ(second.code, 0) << second.text;
         const std::string facts = read_text(scratch.file("runs/a/run.csv"));
@@ -166,6 +170,17 @@ TEST_F(Sweep, AFailedRunStopsNoOtherAndDoneWorkIsNotRepeated) {
 TEST_F(Sweep, WhatWasStoppedGoesOnFromItsCheckpoint) {
     write_makefile("a", "0.2");
     stop_and_go_on();
+}
+
+TEST_F(Sweep, WhatHasADamagedCheckpointBeginsAnew) {
+    write_makefile("a", "0.2");
+    ASSERT_NO_FATAL_FAILURE(stop());
+    fs::resize_file(scratch.file("runs/a/checkpoint.h5"), 1000);
+    const Outcome second = run_make();
+    EXPECT_EQ(second.code, 0) << second.text;
+    EXPECT_TRUE(fs::exists(scratch.file("runs/a/run.csv")));
+    const std::string log = read_text(scratch.file("runs/logs/a.log"));
+    EXPECT_NE(log.find("The run begins anew."), std::string::npos) << log;
 }
 
 TEST_F(Sweep, StoppingMakeStopsTheBedToo) {
