@@ -20,6 +20,7 @@
 #include "dem/threads.hpp"
 #include "record/checkpoint.hpp"
 #include "record/directory_lock.hpp"
+#include "record/files.hpp"
 #include "record/results.hpp"
 #include "record/soil_files.hpp"
 #include "step/energy.hpp"
@@ -80,6 +81,16 @@ Frame take_frame(const Scene& scene, const State& state, const Workspace& work) 
                       {fields.speed_m_s, fields.pressure_Pa});
 }
 
+double cpu_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double wall_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// A run in progress: what the loop and the end of a run share.
 struct LiveRun {
     RunRequest request;
@@ -88,11 +99,18 @@ struct LiveRun {
     State state;
     std::unique_ptr<Recorder> recorder;
     std::unique_ptr<ProgressLine> progress;
-    std::uint64_t steps_made = 0;
+    std::uint64_t steps_made = 0;  ///< by this process
+    Spent before;                  ///< by earlier processes, up to the checkpoint
+    double cpu_begin_s = cpu_seconds(), wall_begin_s = wall_seconds();
     std::vector<RunValue> facts;
     std::optional<Violation> violation;
     Profile profile;
 };
+
+Spent measure_spent(const LiveRun& run) {
+    return {run.before.steps + run.steps_made, run.before.cpu_s + cpu_seconds() - run.cpu_begin_s,
+            run.before.wall_s + wall_seconds() - run.wall_begin_s};
+}
 
 std::string checkpoint_path(const LiveRun& run) { return run.request.directory + "/checkpoint.h5"; }
 
@@ -102,7 +120,7 @@ std::string stage_directory(const LiveRun& run, Stage stage) {
 
 void write_run_checkpoint(LiveRun& run) {
     if (run.recorder) run.recorder->flush();
-    if (run.recorder) write_checkpoint(checkpoint_path(run), run.state, run.c);
+    if (run.recorder) write_checkpoint(checkpoint_path(run), run.state, run.c, measure_spent(run));
 }
 
 std::uint64_t remaining_total(const LiveRun& run) {
@@ -240,12 +258,6 @@ State find_beginning(const LiveRun& run, Stage& next) {
     return make_initial_state(run.c);
 }
 
-double cpu_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 void print_profile(const Profile& profile, double cpu_s) {
     double steps_s = 0;
     for (const double s : profile.seconds) steps_s += s;
@@ -256,19 +268,20 @@ void print_profile(const Profile& profile, double cpu_s) {
                100 * (cpu_s - steps_s) / cpu_s);
 }
 
-int finish(LiveRun& run, double cpu_s, double wall_s) {
+int finish(LiveRun& run) {
+    const Spent spent = measure_spent(run);
     const std::string hash = to_hex(hash_state(run.state));
     const double particles = static_cast<double>(run.state.discs.disc.size());
-    const double particle_steps = particles * static_cast<double>(run.steps_made);
-    const double ns = particle_steps > 0 ? 1e9 * cpu_s / particle_steps : 0;
+    const double particle_steps = particles * static_cast<double>(spent.steps);
+    const double ns = particle_steps > 0 ? 1e9 * spent.cpu_s / particle_steps : 0;
     if (run.recorder) {
         run.recorder->finish();
         std::vector<RunValue> values = describe_run(run.c, run.state, run.request.threads);
         values.push_back({"state_hash", hash, ""});
-        values.push_back({"steps", fmt::format("{}", run.steps_made), ""});
+        values.push_back({"steps", fmt::format("{}", spent.steps), ""});
         values.push_back({"particles", fmt::format("{:.0f}", particles), ""});
-        values.push_back({"cpu_s", fmt::format("{:.2f}", cpu_s), "s"});
-        values.push_back({"wall_s", fmt::format("{:.2f}", wall_s), "s"});
+        values.push_back({"cpu_s", fmt::format("{:.2f}", spent.cpu_s), "s"});
+        values.push_back({"wall_s", fmt::format("{:.2f}", spent.wall_s), "s"});
         values.push_back({"ns_per_particle_step", fmt::format("{:.2f}", ns), "ns"});
         for (const Stage s : {Stage::consolidation, Stage::sinkage})
             for (const RunValue& v : read_values(stage_directory(run, s) + "/stage.csv"))
@@ -285,14 +298,12 @@ int finish(LiveRun& run, double cpu_s, double wall_s) {
     fmt::print(
         "performance: steps={} particles={:.0f} cpu_s={:.2f} wall_s={:.2f} ns_per_particle_step={:.2f} "
         "peak_MB={:.1f}\n",
-        run.steps_made, particles, cpu_s, wall_s, ns, peak_memory_MB());
-    if (run.profile.on) print_profile(run.profile, cpu_s);
+        spent.steps, particles, spent.cpu_s, spent.wall_s, ns, peak_memory_MB());
+    if (run.profile.on) print_profile(run.profile, spent.cpu_s - run.before.cpu_s);
     return static_cast<int>(ExitCode::done);
 }
 
 int go_through_stages(LiveRun& run, Stage first) {
-    const double cpu0 = cpu_seconds();
-    const auto wall0 = std::chrono::steady_clock::now();
     set_threads(run.request.threads);
     run.profile.on = run.request.profile;
     const std::string label = fs::path(run.request.directory.empty() ? run.c.name : run.request.directory).filename();
@@ -319,8 +330,7 @@ int go_through_stages(LiveRun& run, Stage first) {
         return static_cast<int>(ExitCode::done);
     }
     run.progress.reset();
-    const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall0).count();
-    return finish(run, cpu_seconds() - cpu0, wall_s);
+    return finish(run);
 }
 
 void watch_signals() {
@@ -380,6 +390,7 @@ bool take_up(LiveRun& run) {
         run.state = std::move(checkpoint.state);
         run.recorder =
             std::make_unique<Recorder>(run.request.directory, run.c, make_wheel_mesh(run.c.wheel), run.state.progress);
+        run.before = checkpoint.spent;
         return true;
     } catch (const DamagedFile& damage) {
         fmt::print(stderr, "note: {} The run begins anew.\n", damage.what());

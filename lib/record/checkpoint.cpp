@@ -155,6 +155,14 @@ void read_member(hid_t file, const std::string& path, const char* name, M& membe
     check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "read", path);
 }
 
+/// `S`: Spent, or const Spent.
+template <class S, class F>
+void for_each_cost(S& spent, F&& f) {
+    f("spent_steps", spent.steps);
+    f("spent_cpu_s", spent.cpu_s);
+    f("spent_wall_s", spent.wall_s);
+}
+
 /// Access in memory only: nothing of HDF5's touches the disk.
 hdf5::Properties memory_access(const std::string& path) {
     constexpr std::size_t growth = std::size_t{1} << 20;
@@ -163,7 +171,7 @@ hdf5::Properties memory_access(const std::string& path) {
     return access;
 }
 
-std::vector<std::byte> make_image(const std::string& path, const State& state, const Case& c) {
+std::vector<std::byte> make_image(const std::string& path, const State& state, const Case& c, const Spent& spent) {
     const hdf5::Properties access = memory_access(path);
     const hdf5::File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "make", path);
     hdf5::write_integer_attribute(file, "checkpoint_version", format_version, path);
@@ -173,6 +181,7 @@ std::vector<std::byte> make_image(const std::string& path, const State& state, c
     for_each_member(state, write);
     if (has_soil_elements(state)) for_each_soil_member(state, write);
     if (has_contact_stress(state)) for_each_stress_member(state, write);
+    for_each_cost(spent, write);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "make", path);
     const ssize_t size = H5Fget_file_image(file, nullptr, 0);
     if (size <= 0) hdf5::fail("make", path);
@@ -221,9 +230,9 @@ Case read_stored_case(const hdf5::File& file, const std::string& path) {
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const State& state, const Case& c) {
+void write_checkpoint(const std::string& path, const State& state, const Case& c, const Spent& spent) {
     hdf5::silence();
-    std::vector<std::byte> image = make_image(path, state, c);
+    std::vector<std::byte> image = make_image(path, state, c, spent);
     append_trailer(image);
     write_bytes_atomically(path, image);
 }
@@ -249,6 +258,7 @@ Checkpoint decode_checkpoint(std::vector<std::byte> image, const std::string& pa
     for_each_member(checkpoint.state, read);
     if (H5Lexists(file, "soil_kind", H5P_DEFAULT) > 0) for_each_soil_member(checkpoint.state, read);
     if (H5Lexists(file, "stress_block", H5P_DEFAULT) > 0) for_each_stress_member(checkpoint.state, read);
+    if (H5Lexists(file, "spent_steps", H5P_DEFAULT) > 0) for_each_cost(checkpoint.spent, read);
     return checkpoint;
 }
 

@@ -164,6 +164,21 @@ TEST_F(Faults, AskedToStopAtRandomMoments) {
     EXPECT_EQ(tally.tried(), wanted) << "most runs ended before they were stopped: nothing was tested";
 }
 
+TEST_F(Faults, AResumedRunCostsWhatAllItsPartsDo) {
+    std::vector<std::string> arguments = runs.run_arguments("part");
+    arguments.insert(arguments.end(), {"--stop-at-step", "10800"});
+    ASSERT_EQ(Program(arguments, runs.log("part")).wait().status, 0);
+    const Spent first = read_checkpoint(runs.directory("part/checkpoint.h5")).spent;
+    EXPECT_EQ(first.steps, 10800U);
+    EXPECT_GT(first.cpu_s, 0);
+    EXPECT_GT(first.wall_s, 0);
+    ASSERT_EQ(runs.resume("part").wait().status, 0);
+    EXPECT_EQ(run_value(runs.directory("part"), "steps"), run_value(runs.directory("whole"), "steps"));
+    constexpr double rounding_s = 0.005;  // run.csv has hundredths
+    EXPECT_GE(std::stod(run_value(runs.directory("part"), "cpu_s")), first.cpu_s - rounding_s);
+    EXPECT_GE(std::stod(run_value(runs.directory("part"), "wall_s")), first.wall_s - rounding_s);
+}
+
 // ---- damaged files -------------------------------------------------------------------------------------------------
 
 void write_text(const std::string& path, const std::string& text) {

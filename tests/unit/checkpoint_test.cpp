@@ -8,11 +8,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "core/random.hpp"
 #include "support/scratch.hpp"
 
@@ -115,6 +117,36 @@ TEST(Checkpoint, KeepsEmptyVectorsAndTheCase) {
     EXPECT_EQ(read.c.time_step_s, c.time_step_s);
     EXPECT_EQ(read.c.soil.radii_m, c.soil.radii_m);
     EXPECT_EQ(to_toml(read.c), to_toml(c));
+}
+
+TEST(Checkpoint, KeepsWhatWasSpentBesideTheState) {
+    const Scratch scratch;
+    write_checkpoint(scratch.file("a.h5"), random_state(1), Case{}, {7, 1.5, 2.5});
+    write_checkpoint(scratch.file("b.h5"), random_state(1), Case{}, {8, 3.5, 4.5});
+    const Checkpoint a = read_checkpoint(scratch.file("a.h5")), b = read_checkpoint(scratch.file("b.h5"));
+    EXPECT_EQ(a.spent.steps, 7U);
+    EXPECT_EQ(a.spent.cpu_s, 1.5);
+    EXPECT_EQ(a.spent.wall_s, 2.5);
+    EXPECT_EQ(b.spent.steps, 8U);
+    EXPECT_EQ(first_difference(a.state, b.state), "");
+    EXPECT_EQ(hash_state(a.state), hash_state(b.state));
+}
+
+TEST(Checkpoint, OneFromBeforeCostsWereKeptIsRead) {
+    const Scratch scratch;
+    write_checkpoint(scratch.file("a.h5"), random_state(1), Case{}, {7, 1.5, 2.5});
+    std::string bytes = read_text(scratch.file("a.h5"));
+    const auto name = bytes.find("spent_steps");
+    ASSERT_NE(name, std::string::npos);
+    bytes.replace(name, 11, "spent_stepz");  // the order of names, which HDF5 searches by, stays
+    const std::span<char> image(bytes.data(), bytes.size() - 16);
+    const std::uint64_t sum = checksum(std::as_bytes(image));
+    std::memcpy(bytes.data() + bytes.size() - sizeof sum, &sum, sizeof sum);
+    write_text(scratch.file("old.h5"), bytes);
+    const Checkpoint old = read_checkpoint(scratch.file("old.h5"));
+    EXPECT_EQ(first_difference(random_state(1), old.state), "");
+    EXPECT_EQ(old.spent.steps, 0U);
+    EXPECT_EQ(old.spent.cpu_s, 0);
 }
 
 TEST(Checkpoint, EqualStatesMakeEqualBytes) {
