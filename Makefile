@@ -15,7 +15,7 @@ SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 export JOBS IFEDEM
 
-.PHONY: help setup build test test-determinism bench bench-peers speed-accuracy quick-speed-accuracy causes-chapter3 verify-reports check sanitize sanitize-unit clean
+.PHONY: help setup build test test-determinism bench bench-peers speed-accuracy speed-accuracy-plan quick-speed-accuracy causes-chapter3 verify-reports check sanitize sanitize-unit clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -95,11 +95,18 @@ quick-chapter%: build ## the same machinery on short runs, under two minutes
 sensitivity-chapter%: build ## what each choice that the text leaves open does to the results
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk sensitivity
 
-speed-accuracy: build ## chart of cost against error, 240 points of chapter 3 (200 CPU min, resumable): build/reports/speed_accuracy/
-	@$(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk speed-accuracy
+SPEED = $(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk
+SPEED_CHAPTERS := $(or $(CHAPTER),3 4 5)
+speed-accuracy: build ## charts of cost against error, CHAPTER=3, 4, 5 or all (an hour of CPU each, resumable): build/reports/speed_accuracy/
+	@for n in $(SPEED_CHAPTERS); do $(SPEED) N=$$n speed-accuracy || exit 1; done
+	@$(SPEED) N=$(firstword $(SPEED_CHAPTERS)) guide
 
-quick-speed-accuracy: build ## the same machinery on a small bin, under a minute
-	@$(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk QUICK=1 speed-accuracy
+speed-accuracy-plan: build ## what of it is to be made, and its CPU time
+	@for n in $(SPEED_CHAPTERS); do $(SPEED) N=$$n plan || exit 1; done
+
+quick-speed-accuracy: build ## the same machinery on small bins, under three minutes
+	@for n in $(SPEED_CHAPTERS); do $(SPEED) N=$$n QUICK=1 speed-accuracy || exit 1; done
+	@$(SPEED) N=$(firstword $(SPEED_CHAPTERS)) QUICK=1 guide
 
 causes-chapter3: build ## the runs behind "Causes" in chapter 3's README
 	@$(MAKE) --no-print-directory -j$(JOBS) -f reproductions/chapter3/causes.mk causes

@@ -9,11 +9,14 @@
 #include "app/calibrate.hpp"
 #include "app/confined.hpp"
 #include "app/doubt.hpp"
+#include "app/find_run.hpp"
 #include "app/fit.hpp"
 #include "app/metrics_table.hpp"
 #include "app/picture.hpp"
+#include "app/points_sources.hpp"
 #include "app/run_case.hpp"
 #include "app/run_info.hpp"
+#include "app/share.hpp"
 #include "app/soil.hpp"
 #include "app/stiffness.hpp"
 #include "app/stress.hpp"
@@ -24,6 +27,7 @@
 #include "check/effects.hpp"
 #include "check/front_page.hpp"
 #include "check/points.hpp"
+#include "check/points_guide.hpp"
 #include "check/report.hpp"
 #include "record/checkpoint.hpp"
 #include "record/compare.hpp"
@@ -214,7 +218,15 @@ void add_effects(CLI::App& app, EffectsArguments& a) {
     effects->callback([&] { write_effects(a.defaults, a.variants, a.output); });
 }
 
-void add_points(CLI::App& app, PointsRequest& request) {
+struct PointsArguments {
+    PointsRequest request;
+    std::string soil;
+    std::vector<std::string> plates;
+    GuideRequest guide;
+};
+
+void add_points(CLI::App& app, PointsArguments& a) {
+    PointsRequest& request = a.request;
     auto* points = app.add_subcommand("points", "chart cost against error of variants: points.csv, figures and a page");
     points->add_option("references", request.references_path, "references.csv: ledger rows to compare with")
         ->required();
@@ -224,7 +236,34 @@ void add_points(CLI::App& app, PointsRequest& request) {
     points->add_option("-o,--output", request.out_dir, "directory of points.csv and the page")->required();
     points->add_option("--title", request.title, "title");
     points->add_option("--command", request.command, "the command that made the page");
-    points->callback([&] { write_points(request); });
+    points->add_option("--soil", a.soil, "directory of `ifedem soil`: the semi-empirical wheel too");
+    points->add_option("--plates", a.plates, "the plate tests that it was made of: what they cost");
+    points->callback([&] {
+        a.request.measure_more = measure_stress_peaks;
+        if (!a.soil.empty()) a.request.models.push_back(semi_empirical_wheel(a.soil, a.plates));
+        write_points(a.request);
+    });
+    auto* guide = app.add_subcommand("points-guide", "one page over several charts: what each second buys");
+    guide->add_option("points", a.guide.point_dirs, "directories of `ifedem points`")->required();
+    guide->add_option("-o,--output", a.guide.out_dir, "directory of the page and of all points")->required();
+    guide->add_option("--default", a.guide.plain, "the variant that the others differ from");
+    guide->add_option("--command", a.guide.command, "the command that made the page");
+    guide->callback([&] {
+        a.guide.templates = share_directory() + "/templates";
+        write_points_guide(a.guide);
+    });
+}
+
+void add_find(CLI::App& app, FindRequest& request, std::vector<std::string>& sets) {
+    auto* find = app.add_subcommand(
+        "find", "disc-steps of a case (before travel, travel) and which directory holds a finished run of it, or -");
+    find->add_option("case", request.case_path, "case file (TOML)")->required();
+    find->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    find->add_option("--among", request.directories, "directories of runs");
+    find->callback([&] {
+        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
+        fmt::print("{}\n", find_run(request));
+    });
 }
 
 struct PictureArguments {
@@ -289,8 +328,11 @@ int run_program(int argc, char** argv) {
     add_picture(app, picture);
     EffectsArguments effects;
     add_effects(app, effects);
-    PointsRequest points;
+    PointsArguments points;
     add_points(app, points);
+    FindRequest find;
+    std::vector<std::string> find_sets;
+    add_find(app, find, find_sets);
     app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
     std::string checkpoint_a, checkpoint_b;
     auto* compare = app.add_subcommand("compare", "the first difference between two checkpoints");

@@ -102,4 +102,12 @@ SoilParameters read_soil(const std::string& directory) {
             {find(cohesion_name), find(friction_name), find(displacement_name)}};
 }
 
+ParametricWheel wong_reece_wheel(const Case& c, const SoilParameters& soil) {
+    ParametricWheel wheel;
+    wheel.arc = {c.wheel.width_m, c.wheel.tread_radius_m};
+    wheel.pressure = soil.pressure, wheel.shear = soil.shear;
+    wheel.c1 = 0.43, wheel.c2 = 0.32;
+    return wheel;
+}
+
 }  // namespace ifedem

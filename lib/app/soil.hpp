@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "model/case.hpp"
 #include "traction/parametric_soil.hpp"
 
 namespace ifedem {
@@ -23,5 +24,9 @@ void write_soil(const SoilRequest& request);
 
 /// Back from a directory's measurements.csv.
 [[nodiscard]] SoilParameters read_soil(const std::string& directory);
+
+/// The semi-empirical wheel of a case; c1, c2 and θ_2 = 0 as Wong & Reece found for compact sand, so that nothing in it
+/// knows the travels.
+[[nodiscard]] ParametricWheel wong_reece_wheel(const Case& c, const SoilParameters& soil);
 
 }  // namespace ifedem

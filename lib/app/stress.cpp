@@ -88,14 +88,10 @@ std::string load_table(const std::vector<SlipGroup>& groups) {
     return text;
 }
 
-/// The semi-empirical wheel from the least to the greatest slip; c1, c2 and θ_2 = 0 as Wong & Reece found for compact
-/// sand, so that nothing in it knows the travels.
+/// The semi-empirical wheel from the least to the greatest slip.
 std::string parametric_table(const std::vector<SlipGroup>& groups, const SoilParameters& soil) {
-    ParametricWheel wheel;
     const Case& c = groups.front().run.front().c;
-    wheel.arc = {c.wheel.width_m, c.wheel.tread_radius_m};
-    wheel.pressure = soil.pressure, wheel.shear = soil.shear;
-    wheel.c1 = 0.43, wheel.c2 = 0.32;
+    const ParametricWheel wheel = wong_reece_wheel(c, soil);
     std::string text = "slip_percent,H_N,P_N,R_N,entry_deg,normal_deg,sinkage_mm,torque_Nm\n";
     constexpr int points = 60;
     for (int k = 0; k <= points; ++k) {

@@ -6,8 +6,6 @@
 #include <limits>
 #include <numeric>
 
-#include "check/statistics.hpp"
-
 namespace ifedem {
 namespace {
 
@@ -47,8 +45,7 @@ std::vector<std::size_t> pareto_front(std::span<const CostError> points, double 
     return front;
 }
 
-double scatter_floor(std::span<const std::vector<double>> groups, std::size_t n) {
-    const PooledScatter scatter = pool_scatter(groups);
+double scatter_floor(const PooledScatter& scatter, std::size_t n) {
     if (scatter.degrees_of_freedom < 1 || n == 0) return std::numeric_limits<double>::infinity();
     return student_t_quantile(0.975, scatter.degrees_of_freedom) * scatter.deviation /
            std::sqrt(static_cast<double>(n));

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "check/statistics.hpp"
+
 namespace ifedem {
 
 // Cost against error: what the chart of `ifedem points` rests on, free of runs and files.
@@ -31,9 +33,9 @@ struct CostError {
 /// counts as none.
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const CostError> points, double floor);
 
-/// 95 % half-width of a mean of n paired differences by the scatter that all `groups` of differences share; infinite if
-/// no group has two.
-[[nodiscard]] double scatter_floor(std::span<const std::vector<double>> groups, std::size_t n);
+/// 95 % half-width of a mean of n paired differences by the scatter that all variants' differences share; infinite if
+/// that is not known.
+[[nodiscard]] double scatter_floor(const PooledScatter& scatter, std::size_t n);
 
 /// A rectangle of the picture, in pixels, y upward.
 struct Box {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include "check/csv.hpp"
 #include "check/effects.hpp"
@@ -18,8 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 4> quantities{"gross_tractive_effort_N", "net_traction_N", "motion_resistance_N",
-                                                "sinkage_cm"};
+constexpr std::array<Quantity, 6> quantities{{{"gross_tractive_effort_N", "N", "H"},
+                                              {"net_traction_N", "N", "P_d"},
+                                              {"motion_resistance_N", "N", "R"},
+                                              {"sinkage_cm", "cm", "z"},
+                                              {"greatest_normal_stress_kPa", "kPa", "σ_max"},
+                                              {"greatest_tangential_stress_kPa", "kPa", "τ_max"}}};
 
 /// One run of one variant, measured once.
 struct Trial {
@@ -29,7 +34,11 @@ struct Trial {
     std::string stopped;
     Work work;
     double simulated_s = 0;
-    RunMetrics metrics;
+    Values values;
+    [[nodiscard]] double value(std::string_view quantity) const {
+        const auto at = values.find(quantity);
+        return at == values.end() ? unknown : at->second;
+    }
 };
 
 using Trials = std::vector<Trial>;
@@ -52,7 +61,9 @@ Trial measure_trial(const Run& run, const Window& window, const std::string& var
     Trial trial;
     trial.variant = trial.run_variant = variant;
     trial.c = run.c;
-    trial.metrics = measure(run, window);
+    const RunMetrics metrics = measure(run, window);
+    for (const Quantity& q : quantities)
+        if (const MetricInfo* metric = find_metric(q.name)) trial.values.emplace(q.name, metrics.*(metric->member));
     const double steps = number_of(run, "total_steps");
     trial.work = {number_of(run, "particles") * steps, number_of(run, "ns_per_particle_step")};
     trial.simulated_s = steps * run.c.time_step_s;
@@ -101,6 +112,7 @@ Trials read_trials(const PointsRequest& request) {
         }
         const Run run = read_run(directory.string());
         trials.push_back(measure_trial(run, compared_window(run.c), variant));
+        if (request.measure_more) trials.back().values.merge(request.measure_more(run));
         if (variant == request.plain) add_windows(run, trials.back(), windows);
     }
     trials.insert(trials.end(), windows.begin(), windows.end());
@@ -136,7 +148,7 @@ const Trial& find_partner(const Trials& trials, const std::string& variant, cons
 
 /// What a stopped run would have cost: the plain one's time at its own step, disc for disc.
 Work planned_work(const Trial& stopped, const Trial& plain) {
-    const double discs = static_cast<double>(stopped.c.bed.disc_count) / static_cast<double>(plain.c.bed.disc_count);
+    const double discs = static_cast<double>(planned_discs(stopped.c)) / static_cast<double>(planned_discs(plain.c));
     return {plain.work.disc_steps * discs * plain.c.time_step_s / stopped.c.time_step_s, plain.work.ns_per_disc_step};
 }
 
@@ -145,7 +157,7 @@ struct References {
     CsvTable table;
     const Ledger* ledger = nullptr;
 
-    [[nodiscard]] const LedgerRow* find(const std::string& quantity, const Condition& condition) const {
+    [[nodiscard]] const LedgerRow* find(std::string_view quantity, const Condition& condition) const {
         for (const auto& row : table.rows) {
             const auto text = [&](const char* column) { return row.cells[table.require(column)]; };
             const auto agrees = [&](const char* column, double value) {
@@ -176,17 +188,13 @@ struct Group {
     std::string variant;
     std::vector<const Trial*> runs, finest, plain;
     [[nodiscard]] bool is_stopped() const { return !runs.front()->stopped.empty(); }
-    [[nodiscard]] std::vector<double> values(double RunMetrics::*member) const {
-        std::vector<double> out;
-        for (const Trial* t : runs) out.push_back(t->metrics.*member);
-        return out;
-    }
-    [[nodiscard]] std::vector<double> finest_values(double RunMetrics::*member) const {
-        std::vector<double> out;
-        for (const Trial* t : finest) out.push_back(t->metrics.*member);
-        return out;
-    }
 };
+
+std::vector<double> values_of(const std::vector<const Trial*>& trials, const Quantity& quantity) {
+    std::vector<double> out;
+    for (const Trial* t : trials) out.push_back(t->value(quantity.name));
+    return out;
+}
 
 using Groups = std::vector<Group>;
 
@@ -217,9 +225,9 @@ Work mean_work(const Group& group) {
 
 bool is_window(const Group& group) { return group.variant.starts_with("window"); }
 
-Point make_point(const Group& group, const MetricInfo& metric, const Work& fidelity, const LedgerRow* text) {
+Point make_point(const Group& group, const Quantity& quantity, const Work& fidelity, const LedgerRow* text) {
     Point p;
-    p.quantity = metric.name;
+    p.quantity = quantity.name;
     p.variant = group.variant;
     p.changes = is_window(group) ? "averaged over another window"
                                  : describe_changes(group.plain.front()->c, group.runs.front()->c);
@@ -228,49 +236,90 @@ Point make_point(const Group& group, const MetricInfo& metric, const Work& fidel
     p.relative_cost = p.work.cpu_s() / fidelity.cpu_s();
     p.stopped = group.runs.front()->stopped;
     if (group.is_stopped()) return p;
-    const auto values = group.values(metric.member);
+    const auto values = values_of(group.runs, quantity);
     p.value = mean(values);
     if (p.n > 1) p.scatter = standard_deviation(values);
     if (text != nullptr) p.error_text = std::abs(p.value - *text->number());
     if (group.runs.front() == group.finest.front()) return p;  // no error against itself
-    const PairedDifference d = paired_difference(group.finest_values(metric.member), values);
+    const PairedDifference d = paired_difference(values_of(group.finest, quantity), values);
     p.error_fine = std::abs(d.mean);
     if (p.n > 1) p.error_fine_U = d.half_width;
     return p;
 }
 
-/// What scatter hides: of paired differences, or of a mean against the text's one number (a prediction interval). The
-/// windows' points are the same runs again and stay out of the pool.
-double floor_of(const Groups& groups, const MetricInfo& metric, const LedgerRow* text, const std::string& gravity) {
+/// What hides errors: scatter of paired differences to the finest, or of the values themselves against the text's one
+/// number. The windows' points are the same runs again and stay out of the pool.
+PooledScatter scatter_of(const Groups& groups, const Quantity& quantity, Against against) {
     std::vector<std::vector<double>> pool;
-    std::size_t n = 0;
     for (const Group& g : groups) {
         if (g.is_stopped() || is_window(g)) continue;
-        auto values = g.values(metric.member);
-        n = std::max(n, values.size());
-        if (text == nullptr) {
+        auto values = values_of(g.runs, quantity);
+        if (against == Against::finest) {
             if (g.runs.front() == g.finest.front()) continue;
-            const auto finest = g.finest_values(metric.member);
-            for (std::size_t k = 0; k < values.size(); ++k) values[k] -= finest[k];
+            const auto fine = values_of(g.finest, quantity);
+            std::ranges::transform(values, fine, values.begin(), std::minus<>{});
         }
         pool.push_back(std::move(values));
     }
-    if (text == nullptr) return scatter_floor(pool, n);
-    const PooledScatter scatter = pool_scatter(pool);
-    if (scatter.degrees_of_freedom < 1) return unknown;
-    return prediction_uncertainty(scatter.deviation, scatter.degrees_of_freedom, n,
-                                  reading_uncertainty(text->value, text->units, gravity));
+    return pool_scatter(pool);
 }
 
 void find_front(Chart& chart) {
     std::vector<CostError> marks;
-    for (const Point& p : chart.points) marks.push_back({p.relative_cost, chart.error_of(p)});
-    chart.front = pareto_front(marks, chart.floor);
+    for (const Point& p : chart.points) {
+        const double floor = chart.floor(p.n), error = chart.error_of(p);
+        marks.push_back(
+            {p.relative_cost, std::isfinite(floor) && std::isfinite(error) ? std::max(error, floor) : error});
+    }
+    chart.front = pareto_front(marks, chart.floor(chart.n));
 }
 
-double finest_mean(const Groups& groups, const std::string& finest, const MetricInfo& metric) {
-    const auto group = std::ranges::find(groups, finest, &Group::variant);
-    return group == groups.end() ? unknown : mean(group->values(metric.member));
+/// What a model without runs says, against the finest's mean. It has one value: no realisations, no scatter.
+Point make_model_point(const ModelWithoutRuns& model, const Case& plain, const Quantity& quantity, const Chart& chart,
+                       const Work& fidelity, const LedgerRow* text) {
+    Point p;
+    p.quantity = quantity.name;
+    p.variant = model.variant, p.changes = model.changes;
+    p.n = 1;
+    p.work = model.work;
+    p.relative_cost = p.work.cpu_s() / fidelity.cpu_s();
+    const Values values = model.predict(plain);
+    const auto at = values.find(quantity.name);
+    if (at == values.end()) return p;
+    p.value = at->second;
+    p.error_fine = std::abs(p.value - chart.reference);
+    if (text != nullptr) p.error_text = std::abs(p.value - *text->number());
+    return p;
+}
+
+/// The condition of one set of charts, and what all its points share.
+struct ConditionSet {
+    Condition condition;
+    const Groups& groups;
+    Work fidelity;
+    int chapter = 0;
+};
+
+Chart make_chart(const ConditionSet& all, const Quantity& quantity, const PointsRequest& request,
+                 const LedgerRow* text) {
+    Chart chart;
+    chart.condition = all.condition;
+    chart.quantity = quantity.name;
+    chart.scatter = scatter_of(all.groups, quantity, Against::finest);
+    const auto finest = std::ranges::find(all.groups, request.finest, &Group::variant);
+    if (finest != all.groups.end()) {
+        chart.n = finest->runs.size();
+        chart.reference = mean(values_of(finest->runs, quantity));
+    }
+    for (const Group& group : all.groups) chart.points.push_back(make_point(group, quantity, all.fidelity, text));
+    for (const ModelWithoutRuns& model : request.models)
+        chart.points.push_back(
+            make_model_point(model, all.groups.front().plain.front()->c, quantity, chart, all.fidelity, text));
+    // A quantity that a run does not have: contact stress over another window.
+    std::erase_if(chart.points, [](const Point& p) { return p.stopped.empty() && !std::isfinite(p.value); });
+    for (Point& p : chart.points) p.chapter = all.chapter, p.condition = all.condition;
+    find_front(chart);
+    return chart;
 }
 
 void add_condition(const Condition& condition, const Groups& groups, const PointsRequest& request,
@@ -280,27 +329,16 @@ void add_condition(const Condition& condition, const Groups& groups, const Point
     const Work fidelity = fidelity_work(*discs.number(), *references.require("time_step_s", condition).number(),
                                         finest.simulated_s, finest.work.ns_per_disc_step);
     set.fidelity[condition.slip_percent] = fidelity;
-    for (const char* name : quantities) {
-        const MetricInfo& metric = *find_metric(name);
-        const LedgerRow* text = references.find(name, condition);
-        Chart chart{condition,
-                    name,
-                    Against::finest,
-                    floor_of(groups, metric, nullptr, condition.gravity),
-                    finest_mean(groups, request.finest, metric),
-                    {},
-                    {}};
-        for (const Group& group : groups) {
-            chart.points.push_back(make_point(group, metric, fidelity, text));
-            chart.points.back().chapter = discs.chapter;
-            chart.points.back().condition = condition;
-        }
+    for (const Quantity& quantity : quantities) {
+        if (!std::isfinite(finest.value(quantity.name))) continue;
+        const LedgerRow* text = references.find(quantity.name, condition);
+        Chart chart = make_chart({condition, groups, fidelity, discs.chapter}, quantity, request, text);
         set.points.insert(set.points.end(), chart.points.begin(), chart.points.end());
-        find_front(chart);
         set.charts.push_back(chart);
         if (text == nullptr) continue;
         chart.against = Against::text;
-        chart.floor = floor_of(groups, metric, text, condition.gravity);
+        chart.scatter = scatter_of(groups, quantity, Against::text);
+        chart.reading_U = reading_uncertainty(text->value, text->units, condition.gravity);
         chart.reference = *text->number();
         find_front(chart);
         set.charts.push_back(std::move(chart));
@@ -308,6 +346,14 @@ void add_condition(const Condition& condition, const Groups& groups, const Point
 }
 
 }  // namespace
+
+std::span<const Quantity> point_quantities() { return quantities; }
+
+double Chart::floor(std::size_t realisations) const {
+    if (scatter.degrees_of_freedom < 1 || realisations == 0) return unknown;
+    if (against == Against::finest) return scatter_floor(scatter, realisations);
+    return prediction_uncertainty(scatter.deviation, scatter.degrees_of_freedom, realisations, reading_U);
+}
 
 PointSet measure_points(const PointsRequest& request, const Ledger& ledger) {
     Trials trials = read_trials(request);
@@ -324,13 +370,13 @@ std::string points_to_csv(const std::vector<Point>& points) {
         "chapter,wheel,gravity,load_N,slip_percent,quantity,variant,n,relative_cost,error_fine,error_text,scatter,"
         "error_fine_U,value,units,disc_steps,ns_per_disc_step,changes,stopped\n";
     for (const Point& p : points)
-        text +=
-            csv_line({std::to_string(p.chapter), p.condition.wheel, p.condition.gravity,
-                      format_number(p.condition.load_N), format_number(p.condition.slip_percent), p.quantity, p.variant,
-                      std::to_string(p.n), format_number(p.relative_cost), format_number(p.error_fine),
-                      format_number(p.error_text), format_number(p.scatter), format_number(p.error_fine_U),
-                      format_number(p.value), std::string(find_metric(p.quantity)->unit),
-                      format_number(p.work.disc_steps), format_number(p.work.ns_per_disc_step), p.changes, p.stopped});
+        text += csv_line(
+            {std::to_string(p.chapter), p.condition.wheel, p.condition.gravity, format_number(p.condition.load_N),
+             format_number(p.condition.slip_percent), p.quantity, p.variant, std::to_string(p.n),
+             format_number(p.relative_cost), format_number(p.error_fine), format_number(p.error_text),
+             format_number(p.scatter), format_number(p.error_fine_U), format_number(p.value),
+             std::string(std::ranges::find(quantities, p.quantity, &Quantity::name)->unit),
+             format_number(p.work.disc_steps), format_number(p.work.ns_per_disc_step), p.changes, p.stopped});
     return text;
 }
 

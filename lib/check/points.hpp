@@ -1,15 +1,38 @@
 #pragma once
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "check/cost_error.hpp"
 #include "check/ledger.hpp"
 #include "check/run.hpp"
+#include "check/statistics.hpp"
 
 namespace ifedem {
+
+/// What a point is about.
+struct Quantity {
+    std::string_view name;
+    std::string_view unit;
+    std::string_view symbol;
+};
+/// H, P_d, R, z, then the peaks of normal and tangential contact stress.
+[[nodiscard]] std::span<const Quantity> point_quantities();
+
+using Values = std::map<std::string, double, std::less<>>;  ///< by quantity
+
+/// A model that has no runs, such as the semi-empirical wheel: one point under each condition.
+struct ModelWithoutRuns {
+    std::string variant;
+    std::string changes;                         ///< what it is
+    Work work;                                   ///< of what it needs before it can say anything
+    std::function<Values(const Case&)> predict;  ///< for a case of the plain variant
+};
 
 /// What the chart of cost against error is made of.
 struct PointsRequest {
@@ -20,6 +43,8 @@ struct PointsRequest {
     std::string out_dir;
     std::string title;
     std::string command;
+    std::function<Values(const Run&)> measure_more;  ///< what else a run's directory tells; may be empty
+    std::vector<ModelWithoutRuns> models;
 };
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -29,7 +54,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 struct Point {
     int chapter = 0;
     Condition condition;
-    std::string quantity;  ///< a metric's name (metrics.hpp)
+    std::string quantity;  ///< a name of point_quantities()
     std::string variant;
     std::string changes;  ///< "time_step_s 4e-05 → 1e-05"
     std::size_t n = 0;
@@ -49,10 +74,14 @@ struct Chart {
     Condition condition;
     std::string quantity;
     Against against = Against::finest;
-    double floor = unknown;      ///< the least error that scatter lets one see
+    PooledScatter scatter;       ///< of what errors are made of, shared by all variants
+    double reading_U = 0;        ///< of the text's number
+    std::size_t n = 0;           ///< realisations of most points
     double reference = unknown;  ///< the finest's mean, or the text's number
     std::vector<Point> points;
     std::vector<std::size_t> front;  ///< of `points`, by cost
+    /// The least error that scatter lets one see with so many realisations; NaN if it is not known.
+    [[nodiscard]] double floor(std::size_t realisations) const;
     [[nodiscard]] double error_of(const Point& point) const {
         return against == Against::finest ? point.error_fine : point.error_text;
     }
@@ -76,8 +105,8 @@ struct PointSet {
 /// these, error_fine_U,value,units,disc_steps,ns_per_disc_step,changes,stopped.
 [[nodiscard]] std::string points_to_csv(const std::vector<Point>& points);
 
-/// Writes points.csv, figures and index.html into the request's directory. The script of the figures, speed.gp, stands
-/// beside the references.
+/// Writes points.csv, front.csv (the fronts against the finest), figures and index.html into the request's directory.
+/// The script of the figures, speed.gp, stands beside the references.
 void write_points(const PointsRequest& request);
 
 }  // namespace ifedem

@@ -8,7 +8,6 @@
 #include "check/csv.hpp"
 #include "check/document.hpp"
 #include "check/gnuplot.hpp"
-#include "check/metrics.hpp"
 #include "check/points.hpp"
 #include "core/error.hpp"
 
@@ -36,8 +35,16 @@ struct Mark {
     const char* kind = "";
 };
 
-std::string symbol_of(const std::string& quantity) { return std::string(find_metric(quantity)->symbol); }
-std::string unit_of(const std::string& quantity) { return std::string(find_metric(quantity)->unit); }
+const Quantity& find_quantity(const std::string& name) {
+    return *std::ranges::find(point_quantities(), name, &Quantity::name);
+}
+std::string symbol_of(const std::string& quantity) { return std::string(find_quantity(quantity).symbol); }
+std::string unit_of(const std::string& quantity) { return std::string(find_quantity(quantity).unit); }
+
+bool is_hidden(const Chart& chart, const Point& point) {
+    const double floor = chart.floor(point.n);
+    return std::isfinite(floor) && chart.error_of(point) <= floor;
+}
 
 std::string name_of(const Chart& chart) {
     std::string name =
@@ -50,7 +57,7 @@ std::string name_of(const Chart& chart) {
 
 Frame frame_of(const Chart& chart) {
     Span x{1e300, 0}, y{1e300, 0};
-    const double least = std::isfinite(chart.floor) ? chart.floor / 30 : 0;
+    const double floor = chart.floor(chart.n), least = std::isfinite(floor) ? floor / 30 : 0;
     const auto widen = [&](double error) {
         if (!std::isfinite(error)) return;
         y.low = std::min(y.low, std::max(error, least));
@@ -61,7 +68,7 @@ Frame frame_of(const Chart& chart) {
         x.high = std::max(x.high, p.relative_cost);
         widen(chart.error_of(p));
     }
-    widen(chart.floor);
+    widen(floor);
     if (!(y.high > 0)) y = {1e-3, 1};
     if (!(y.low > 1e-6 * y.high)) y.low = 1e-6 * y.high;
     return {{x.low / 1.3, x.high * 1.6}, {y.low / 1.6, y.high * 3}};
@@ -75,8 +82,7 @@ std::vector<Mark> list_marks(const Chart& chart, const Frame& frame) {
         if (!p.stopped.empty())
             marks.push_back({&p, frame.y.at(0.97), "stopped"});
         else if (std::isfinite(error))
-            marks.push_back({&p, std::max(error, frame.y.at(0.01)),
-                             std::isfinite(chart.floor) && error <= chart.floor ? "hidden" : "seen"});
+            marks.push_back({&p, std::max(error, frame.y.at(0.01)), is_hidden(chart, p) ? "hidden" : "seen"});
     }
     std::ranges::stable_sort(marks, {}, [](const Mark& m) { return m.point->relative_cost; });
     return marks;
@@ -124,7 +130,8 @@ std::string front_csv(const Chart& chart, const Frame& frame) {
     double before = frame.y.at(0.93);
     for (const std::size_t k : chart.front) {
         const Point& p = chart.points[k];
-        const double error = std::max({chart.error_of(p), std::isfinite(chart.floor) ? chart.floor : 0.0, frame.y.low});
+        const double floor = chart.floor(p.n);
+        const double error = std::max({chart.error_of(p), std::isfinite(floor) ? floor : 0.0, frame.y.low});
         text += fmt::format("{:.6g},{:.6g}\n{:.6g},{:.6g}\n", p.relative_cost, before, p.relative_cost, error);
         before = error;
     }
@@ -149,7 +156,7 @@ Figure draw_chart(const Chart& chart, const PointsRequest& request, const std::s
                  {"xhigh", text(frame.x.high)},
                  {"ylow", text(frame.y.low)},
                  {"yhigh", text(frame.y.high)},
-                 {"floor_y", std::isfinite(chart.floor) ? text(chart.floor) : ""},
+                 {"floor_y", std::isfinite(chart.floor(chart.n)) ? text(chart.floor(chart.n)) : ""},
                  {"kinds", list_kinds(chart, frame)}},
                 fmt::format("{}/{}.svg", request.out_dir, base));
     const std::string against =
@@ -181,24 +188,44 @@ Table front_table(const std::vector<Chart>& charts) {
     Table t;
     t.caption = "What each second buys: the fronts against the finest, cheapest first";
     t.style = "wide";
+    t.data_file = "front.csv";
     t.header = {"Condition",     "Quantity", "Variant",       "CPU s a run",
                 "Relative cost", "|error|",  "Scatter hides", "Reads"};
     for (const Chart& chart : charts) {
         if (chart.against != Against::finest) continue;
         for (const std::size_t k : chart.front) {
             const Point& p = chart.points[k];
-            const bool hidden = std::isfinite(chart.floor) && p.error_fine <= chart.floor;
             t.rows.push_back({{condition_text(p), "id"},
                               {fmt::format("{} [{}]", symbol_of(p.quantity), unit_of(p.quantity)), "symbol"},
                               {p.variant, "id"},
                               {fmt::format("{:.3g}", p.work.cpu_s()), "num"},
                               {fmt::format("{:.3g}", p.relative_cost), "num"},
                               {with_width(p.error_fine, p.error_fine_U), "num"},
-                              {with_width(chart.floor, unknown), "num"},
-                              {hidden ? "more cost buys nothing that these realisations show" : "", ""}});
+                              {with_width(chart.floor(p.n), unknown), "num"},
+                              {is_hidden(chart, p) ? "more cost buys nothing that these realisations show" : "", ""}});
         }
     }
     return t;
+}
+
+/// The same for programs.
+std::string fronts_csv(const std::vector<Chart>& charts) {
+    std::string text =
+        "chapter,wheel,gravity,load_N,slip_percent,quantity,units,variant,changes,n,cpu_s,relative_cost,error_fine,"
+        "error_fine_U,scatter_hides,reads\n";
+    for (const Chart& chart : charts) {
+        if (chart.against != Against::finest) continue;
+        for (const std::size_t k : chart.front) {
+            const Point& p = chart.points[k];
+            text +=
+                csv_line({std::to_string(p.chapter), p.condition.wheel, p.condition.gravity,
+                          format_number(p.condition.load_N), format_number(p.condition.slip_percent), p.quantity,
+                          unit_of(p.quantity), p.variant, p.changes, std::to_string(p.n), format_number(p.work.cpu_s()),
+                          format_number(p.relative_cost), format_number(p.error_fine), format_number(p.error_fine_U),
+                          format_number(chart.floor(p.n)), is_hidden(chart, p) ? "hidden" : "seen"});
+        }
+    }
+    return text;
 }
 
 Table points_table(const std::vector<Point>& points) {
@@ -232,16 +259,16 @@ std::vector<std::string> convergence_lines(const std::vector<Chart>& charts, con
         if (chart.against != Against::finest) continue;
         const Point* nearest = nullptr;
         for (const Point& p : chart.points)
-            if (p.changes.starts_with("time_step_s") && std::isfinite(p.error_fine) &&
-                (nearest == nullptr || p.relative_cost > nearest->relative_cost))
+            if (p.changes.starts_with("time_step_s") && p.changes.find(',') == std::string::npos &&
+                std::isfinite(p.error_fine) && (nearest == nullptr || p.relative_cost > nearest->relative_cost))
                 nearest = &p;
         if (nearest == nullptr) continue;
-        lines.push_back(fmt::format(
-            "{} at {:g} %: {} differs from {} by {} {}; scatter hides up to {} {}: {}.", symbol_of(chart.quantity),
-            chart.condition.slip_percent, nearest->variant, finest,
-            with_width(nearest->error_fine, nearest->error_fine_U), unit_of(chart.quantity),
-            with_width(chart.floor, unknown), unit_of(chart.quantity),
-            nearest->error_fine <= chart.floor ? "no difference is seen" : "not converged by this measure"));
+        lines.push_back(
+            fmt::format("{} at {:g} %: {} differs from {} by {} {}; scatter hides up to {} {}: {}.",
+                        symbol_of(chart.quantity), chart.condition.slip_percent, nearest->variant, finest,
+                        with_width(nearest->error_fine, nearest->error_fine_U), unit_of(chart.quantity),
+                        with_width(chart.floor(nearest->n), unknown), unit_of(chart.quantity),
+                        is_hidden(chart, *nearest) ? "no difference is seen" : "not converged by this measure"));
     }
     return lines;
 }
@@ -261,9 +288,10 @@ BulletList guide(const PointsRequest& request, const PointSet& set) {
         fmt::format("Error against {}: the mean difference over realisations of the same packing seed and lug phase, "
                     "without its sign. {} itself has none and is not drawn there.",
                     request.finest, request.finest),
-        "The grey band is where scatter rules: a mean difference inside it cannot be told from none with this many "
-        "realisations (Student’s t on the scatter that all variants share). Hollow points lie in it. They are not "
-        "better the lower they lie.",
+        "The grey band is where scatter rules: a mean difference inside it cannot be told from none with as many "
+        "realisations as the finest has (Student’s t on the scatter that all variants share). Hollow points lie in it; "
+        "those of fewer realisations (n in the table) have a band √n wider of their own. They are not better the lower "
+        "they lie.",
         "The line is the Pareto front: no point is both cheaper and less wrong. It counts what lies in the band as the "
         "band’s edge, so it ends at the cheapest point inside. To the right of that end a second buys nothing but "
         "certainty: more realisations, not a finer model.",
@@ -272,6 +300,8 @@ BulletList guide(const PointsRequest& request, const PointSet& set) {
         "table gives the check’s words.",
         "window…cm: the default’s own runs averaged elsewhere; the cost is that of a travel to the window’s end.",
     };
+    for (const ModelWithoutRuns& model : request.models)
+        list.items.push_back(fmt::format("{}: {}.", model.variant, model.changes));
     for (const auto& [slip, work] : set.fidelity)
         list.items.push_back(fmt::format("Cost 1 at {:g} % slip: {:.3g} disc-steps × {:.3g} ns = {:.3g} CPU s a run.",
                                          slip, work.disc_steps, work.ns_per_disc_step, work.cpu_s()));
@@ -302,6 +332,7 @@ void write_points(const PointsRequest& request) {
     const std::string root = find_root(request.references_path);
     const PointSet set = measure_points(request, read_ledger(root));
     write_text(request.out_dir + "/points.csv", points_to_csv(set.points));
+    write_text(request.out_dir + "/front.csv", fronts_csv(set.charts));
     FigureGroup figures;
     for (const Chart& chart : set.charts) figures.figures.push_back(draw_chart(chart, request, root));
     const Document document = compose(request, set, std::move(figures));

@@ -194,6 +194,13 @@ struct Case {
     TargetCase target;
 };
 
+/// Discs that are planned for the beginning of travel.
+[[nodiscard]] inline std::int64_t planned_discs(const Case& c) {
+    if (c.elements.columns > 0 && c.elements.disc_columns > 0)
+        return c.elements.disc_columns * c.elements.pattern_discs;
+    return c.bed.levelled_count > 0 ? c.bed.levelled_count : c.bed.disc_count;
+}
+
 /// V after acceleration.
 [[nodiscard]] inline double travel_speed_m_s(const TravelCase& travel) {
     return travel.speed_of == SpeedOf::tread ? (1.0 - travel.slip_percent / 100.0) * travel.speed_m_s

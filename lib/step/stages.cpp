@@ -35,13 +35,15 @@ std::string stage_hash(const Case& c, Stage stage, int results_version) {
     return to_hex(h.value());
 }
 
+double count_disc_steps(const Case& c, Stage stage) {
+    const bool filled = stage == Stage::consolidation && !(c.elements.columns > 0 && c.elements.disc_columns > 0);
+    return static_cast<double>(filled ? c.bed.disc_count : planned_discs(c)) *
+           static_cast<double>(steps_of_stage(c, stage));
+}
+
 double count_disc_steps(const Case& c) {
-    const std::int64_t levelled = c.bed.levelled_count > 0 ? c.bed.levelled_count : c.bed.disc_count;
     double sum = 0;
-    for (const Stage stage : {Stage::consolidation, Stage::sinkage, Stage::travel}) {
-        const std::int64_t discs = stage == Stage::consolidation ? c.bed.disc_count : levelled;
-        sum += static_cast<double>(discs) * static_cast<double>(steps_of_stage(c, stage));
-    }
+    for (const Stage stage : {Stage::consolidation, Stage::sinkage, Stage::travel}) sum += count_disc_steps(c, stage);
     return sum;
 }
 

@@ -1,139 +1,95 @@
-# Cost against error: one change each from chapter 3's default, B3 under 170 N on Earth at 20 and 60 % slip, three realisations.
-#   make speed-accuracy          the whole: prints its CPU time first; may be stopped, the same command goes on
-#   make quick-speed-accuracy    the machinery on a small bin
+# Cost against error, chapter by chapter; what is run stands in plan3.mk, plan4.mk and plan5.mk. From the top level's directory:
+#   make speed-accuracy                     chapters 3, 4 and 5: prints its CPU time first; may be stopped, the same command goes on
+#   make speed-accuracy CHAPTER=4           one chapter; REALISATIONS=3: packings and phases of the variants that have several
+#   make speed-accuracy-plan                what would be run, and what of it is there already
+#   make quick-speed-accuracy               the machinery on small bins
+# FINISHED=build/runs: chapters' campaigns below it. A run of theirs that is the same, key for key, is taken over instead of made.
+#   N=3, 4 or 5   the chapter of this call
 
-CHAPTER := reproductions/chapter3
-HERE    := reproductions/speed_accuracy
-SWEEP   := $(HERE)/speed.mk
-FINEST  := step0.25
+HERE  := reproductions/speed_accuracy
+SWEEP := $(HERE)/speed.mk
+# The command line's CHAPTER is the user's: a number. sweep.mk wants the directory.
+override CHAPTER := reproductions/chapter$(N)
+FINISHED ?= build/runs
+REALISATIONS ?= 2
+KIND    := $(if $(QUICK),quick_)speed_accuracy
+OUT     := build/runs/$(KIND)/chapter$(N)
+REPORTS := build/reports/$(KIND)
+REPORT  := $(REPORTS)/chapter$(N)
+COMMAND ?= make $(if $(QUICK),quick-)speed-accuracy
+comma   := ,
+TITLE   := Speed against accuracy$(if $(QUICK),$(comma) quick): chapter $(N)
+# A disc-step, for the estimate.
+NS := 16
 
-# WHAT: --set arguments, and its work as a share of the default's for the estimate (disc-steps, 0 where the end comes soon; modified
-# Euler, elastic rims, elements and finer meshes with what a step costs more).
-step_set = --set time_step_s=$(1)
-set_step0.25   := $(call step_set,1e-5)
-set_step0.5    := $(call step_set,2e-5)
-set_step1.5    := $(call step_set,6e-5)
-set_step2      := $(call step_set,8e-5)
-set_step2.25   := $(call step_set,9e-5)
-# Beyond limits that are certain: a sunk bed as it stands (near 1e-4 s), then the wheel's elements (1.5e-4 s), then an isolated pair of
-# discs (2.1e-4 s). Run all the same, to show the end.
-set_step3      := $(call step_set,1.2e-4) --allow-unstable
-set_step4      := $(call step_set,1.6e-4) --allow-unstable
-set_step5      := $(call step_set,2e-4) --allow-unstable
-set_step6      := $(call step_set,2.4e-4) --allow-unstable
-set_euler1     := --set integrator=modified-euler-one
-set_euler2     := --set integrator=modified-euler-two
-set_rigid      := --set wheel.body=rigid
-set_elastic    := --set wheel.body=elastic $(call step_set,1.5e-5)
-set_coarse     := --set wheel.intermediate_rings=2 --set wheel.surface_rings=1
-set_fine       := --set wheel.intermediate_rings=8 --set wheel.surface_rings=4
-set_speed0.05  := --set travel.speed_m_s=0.05
-set_speed0.2   := --set travel.speed_m_s=0.2
-# The soil of a radius r times as large has 1/r² of the discs; half the depth has half of them.
-set_discs1.5   := --set soil.radii_m=[0.003,0.00375,0.0045] --set bed.disc_count=8652
-set_discs2     := --set soil.radii_m=[0.004,0.005,0.006] --set bed.disc_count=4867
-set_depth0.5   := --set bed.disc_count=9734
-set_depth0.75  := --set bed.disc_count=14601
-# Half the bed's height as elements under the discs, with the elastic constants of this sand (chapter 2: 0.71 MPa and 0.04) and the
-# density of its bulk.
-soil_elements = --set elements.columns=$(1) --set elements.rows=1 --set elements.block_height_m=$(2) \
-                --set elements.material.young_Pa=0.71e6 --set elements.material.poisson=0.04 --set contact.friction_elements=0.6
-set_elements0.5 := $(call soil_elements,10,0.135) --set bed.disc_count=9734
-# Three quarters of the bin end 0.275 m beyond a travel of 0.5 m; the window is the same share of it.
-set_length0.75 := --set bed.length_m=1.125 --set bed.disc_count=14601 --set travel.distance_m=0.5
-# The savings together. Discs twice as large bear twice the step, as far as the wheel's elements do.
-set_discs2_step3 := $(set_discs2) $(call step_set,1.2e-4)
-set_lean       := --set soil.radii_m=[0.003,0.00375,0.0045] --set bed.length_m=1.125 --set bed.disc_count=6489 \
-                  --set travel.distance_m=0.5 $(call step_set,8e-5)
+step_set  = --set time_step_s=$(1)
+radii_set = --set soil.radii_m=[$(1),$(2),$(3)]
+PLATES :=
+include $(HERE)/plan$(N).mk
 
-WORK_default := 1
-WORK_step0.25 := 4
-WORK_step0.5 := 2
-WORK_step1.5 := 0.67
-WORK_step2 := 0.5
-WORK_step2.25 := 0.44
-WORK_step3 := 0.33
-WORK_step4 := 0
-WORK_step5 := 0
-WORK_step6 := 0
-WORK_discs2_step3 := 0.08
-WORK_elements0.5 := 0.6
-WORK_euler1 := 1.2
-WORK_euler2 := 2
-WORK_rigid := 1
-WORK_elastic := 3
-WORK_coarse := 1
-WORK_fine := 1.5
-WORK_speed0.05 := 1.8
-WORK_speed0.2 := 0.6
-WORK_discs1.5 := 0.44
-WORK_discs2 := 0.25
-WORK_depth0.5 := 0.5
-WORK_depth0.75 := 0.75
-WORK_length0.75 := 0.5
-WORK_lean := 0.11
+# WHAT-sSLIP-rREALISATION, realisation by realisation, so that the variants take turns on the machine and its mood strikes all alike.
+ALL_REALISATIONS := $(wordlist 1,$(REALISATIONS),1 2 3 4 5 6 7 8)
+runs_of = $(foreach w,$(1),$(foreach s,$(SLIPS),$(w)-s$(s)-r$(2)))
+RUNS := $(foreach r,$(ALL_REALISATIONS),$(call runs_of,$(SEVERAL) $(if $(filter 1,$(r)),$(SINGLE)),$(r))) $(MORE)
 
-# The bed of these is the default's.
-DEFAULT_BED := default rigid coarse fine speed0.05 speed0.2
-
-# Realisation by realisation, so that the variants take turns on the machine and its mood strikes all alike.
-VARIANTS := $(FINEST) default step2 discs2 depth0.5 rigid step0.5 step1.5 step2.25 step3 step4 step5 step6 discs1.5 depth0.75 \
-            elements0.5 length0.75 lean discs2_step3 euler1 euler2 elastic coarse fine speed0.05 speed0.2
-REALISATIONS := 1 2 3
-CASE   := $(CHAPTER)/cases/B3-earth.toml
-OUT    := build/runs/speed_accuracy
-REPORT := build/reports/speed_accuracy
-TITLE  := Speed against accuracy: chapter 3
-COMMAND ?= make speed-accuracy
-# CPU seconds of the default: a travel, and the bed and the sunk wheel that the slips of a realisation share.
-TRAVEL_S := 70
-STAGES_S := 25
-
-ifdef QUICK
-FINEST := step0.5
-VARIANTS := $(FINEST) default step2 step4 depth0.75 elements0.5
-set_depth0.75 := --set bed.disc_count=1800
-set_elements0.5 := $(call soil_elements,4,0.045) --set bed.disc_count=1200
-REALISATIONS := 1 2
-CASE   := $(HERE)/cases/short.toml
-OUT    := build/runs/quick_speed_accuracy
-REPORT := build/reports/quick_speed_accuracy
-TITLE  := Speed against accuracy, quick: the machinery, not the numbers
-COMMAND := make quick-speed-accuracy
-TRAVEL_S := 2
-STAGES_S := 2
-endif
-
-# WHAT-PLANET-sSLIP-rREALISATION
-RUNS := $(foreach r,$(REALISATIONS),$(foreach w,$(VARIANTS),$(w)-earth-s60-r$(r) $(w)-earth-s20-r$(r)))
-
-.PHONY: speed-accuracy points
-speed-accuracy:
-	@echo "$(foreach w,$(VARIANTS),$(WORK_$(w)))" | awk '{ for (k = 1; k <= NF; ++k) w += $$k; \
-	  s = w * $(words $(REALISATIONS)) * (2 * $(TRAVEL_S) + $(STAGES_S)); \
-	  printf "$(words $(RUNS)) runs, about %.0f CPU min in all: %.0f min on $(JOBS) cores (what is done is not repeated)\n", s / 60, s / 60 / $(JOBS) }'
+.PHONY: speed-accuracy plan adopt points guide
+speed-accuracy: plan
+	@$(MAKE) --no-print-directory -f $(SWEEP) adopt
 	-@$(MAKE) --no-print-directory -f $(SWEEP) sweep
 	@$(MAKE) --no-print-directory -f $(SWEEP) points
 
-include $(CHAPTER)/sweep.mk
+include reproductions/chapter3/sweep.mk
 include $(HERE)/trials.mk
-CASES += $(HERE)/cases/short.toml
-points: $(INPUTS)
-	@$(IFEDEM) points $(HERE)/references.csv $(ended_runs) --finest $(FINEST) -o $(REPORT) --title "$(TITLE)" --command "$(COMMAND)"
-	@echo "points: $(REPORT)/points.csv, page: $(REPORT)/index.html"
+CASES += $(wildcard $(HERE)/cases/short$(N).toml)
 
 part = $(word $(2),$(subst -, ,$(1)))
-realisation_of = $(patsubst r%,%,$(lastword $(subst -, ,$(1))))
-sunk_of = $(call part,$(1),1)-earth-r$(call realisation_of,$(1))
-bed_of = bed-$(if $(filter $(call part,$(1),1),$(DEFAULT_BED)),default,$(call part,$(1),1))-earth-r$(call realisation_of,$(1))
-seed_of = --set bed.seed=$(call realisation_of,$(1))
-sets_of = $(call seed_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) $(set_$(call part,$(1),1))
-slip_of = --set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),3))
+what = $(call part,$(1),1)
+realisation_of = $(patsubst r%,%,$(call part,$(1),3))
+phase_of = $(PHASE_$(call realisation_of,$(1)))
+case_of = $(if $(filter $(1),$(PLATES)),$(PLATE_CASE),$(or $(case_$(firstword $(subst _, ,$(call what,$(1))))),$(CASE)))
+sets_of = $(if $(filter $(1),$(PLATES)),--set bed.seed=1 --set wheel.load_N=$(patsubst plate-%N,%,$(1)),--set \
+  bed.seed=$(call realisation_of,$(1)) $(if $(call phase_of,$(1)),--set wheel.lug_phase_deg=$(call phase_of,$(1))) $(set_$(call what,$(1))))
+slip_of = $(if $(filter $(1),$(PLATES)),,--set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),2)))
+sunk_of = $(if $(filter $(1),$(PLATES)),sunk-$(1),sunk-$(call what,$(1))-r$(call realisation_of,$(1)))
+bed_of = bed-$(if $(filter $(call what,$(1)),$(DEFAULT_BED) plate),default,$(call what,$(1)))-r$(or $(call realisation_of,$(1)),1)
+times_of = $(or $(TIMES_$(call what,$(1))),$(TIMES_$(firstword $(subst _, ,$(call what,$(1))))),1)
 
-SUNK := $(sort $(foreach r,$(RUNS),$(call sunk_of,$(r))))
-BEDS := $(sort $(foreach r,$(RUNS),$(call bed_of,$(r))))
-$(foreach b,$(BEDS),$(eval $(call try_prepare_rule,$(b),$(CASE),$(call seed_of,$(b)) $(set_$(call part,$(b),2)),--bed,)))
-$(foreach s,$(SUNK),$(eval $(call try_prepare_rule,$(s),$(CASE),$(call sets_of,$(s)),,| $(OUT)/ready/$(call bed_of,$(s)))))
-$(foreach r,$(RUNS),$(eval $(call trial_rule,$(r),$(CASE),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
+# What would be run: a line a run with its sunk wheel, how much dearer its disc-steps are, what `ifedem find` says, and whether it ended.
+ELSEWHERE := $(patsubst %/case.toml,%,$(wildcard $(FINISHED)/chapter$(N)/*/case.toml $(FINISHED)/chapter$(N)-*/*/case.toml))
+plan_line = e=to_make; [ $(OUT)/$(1)/ended -nt $(INPUTS) ] && e=ended; \
+  f=$$($(IFEDEM) find $(call case_of,$(1)) $(filter-out --allow-unstable,$(call sets_of,$(1)) $(call slip_of,$(1))) $$among) || exit 1; \
+  echo "$(1) $(call sunk_of,$(1)) $(call times_of,$(1)) $$f $$e";
+plan: $(INPUTS)
+	@$(if $(ELSEWHERE),among="--among $(ELSEWHERE)"; ){ $(foreach r,$(RUNS) $(PLATES),$(call plan_line,$(r))) } > $(OUT)/plan.txt
+	@awk 'function cost(steps) { return steps * $$3 * $(NS) * 1e-9 } { ++n } $$7 == "ended" { ++ended; next } $$6 != "-" { ++taken; next } \
+	  { ++made; s += cost($$5) + (seen[$$2]++ ? 0 : cost($$4)) } END { \
+	  printf "chapter $(N): %d runs, %d done, %d to take over, %d to make: about %.0f CPU min, %.0f min on $(JOBS) cores\n", \
+	  n, ended, taken, made, s / 60, s / 60 / $(JOBS) }' $(OUT)/plan.txt
 
-travels: $(addprefix $(OUT)/,$(addsuffix /ended,$(RUNS)))
+# Takes over what is the same. A run that was, and is not there any more in the state that the inputs want, is made.
+adopt: $(INPUTS)
+	@while read run sunk times stages travel from state; do d=$(OUT)/$$run; \
+	  [ $$state = to_make ] || continue; rm -f $$d/taken_over.txt; [ $$from != - ] || continue; \
+	  mkdir -p $$d; for f in case.toml run.csv series.csv contact_blocks.csv contact_balance.csv; do \
+	    [ ! -f $$from/$$f ] || cp $$from/$$f $$d/ || exit 1; done; \
+	  rm -f $$d/stopped.txt; echo $$from > $$d/taken_over.txt; touch $$d/ended; done < $(OUT)/plan.txt
+
+points: $(INPUTS)
+	@$(if $(PLATES),$(IFEDEM) soil $(addprefix $(OUT)/,$(PLATES)) -o $(OUT)/soil > /dev/null)
+	@$(IFEDEM) points $(HERE)/references$(N).csv $(ended_runs) --finest $(FINEST) -o $(REPORT) --title "$(TITLE)" \
+	  --command "$(COMMAND)$(if $(QUICK),, CHAPTER=$(N))" $(if $(PLATES),--soil $(OUT)/soil --plates $(addprefix $(OUT)/,$(PLATES)))
+	@echo "points: $(REPORT)/points.csv, page: $(REPORT)/index.html"
+
+# One page over the chapters that have points.
+guide:
+	@$(IFEDEM) points-guide $(patsubst %/points.csv,%,$(wildcard $(REPORTS)/chapter*/points.csv)) -o $(REPORTS) --command "$(COMMAND)"
+	@echo "how to read them, what each second buys: $(REPORTS)/index.html"
+
+TO_MAKE := $(filter-out $(patsubst $(OUT)/%/taken_over.txt,%,$(wildcard $(addprefix $(OUT)/,$(addsuffix /taken_over.txt,$(RUNS) $(PLATES))))),$(RUNS) $(PLATES))
+# One run of each sunk wheel, and of each bed, stands for it.
+first_of = $(foreach x,$(sort $(foreach r,$(2),$(call $(1),$(r)))),$(firstword $(foreach r,$(2),$(if $(filter $(x),$(call $(1),$(r))),$(r)))))
+$(foreach r,$(call first_of,bed_of,$(TO_MAKE)),$(eval $(call try_prepare_rule,$(call bed_of,$(r)),$(call case_of,$(r)),$(call sets_of,$(r)),--bed,)))
+$(foreach r,$(call first_of,sunk_of,$(TO_MAKE)),$(eval $(call try_prepare_rule,$(call sunk_of,$(r)),$(call case_of,$(r)),$(call sets_of,$(r)),,| $(OUT)/ready/$(call bed_of,$(r)))))
+$(foreach r,$(TO_MAKE),$(eval $(call trial_rule,$(r),$(call case_of,$(r)),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
+
+travels: $(addprefix $(OUT)/,$(addsuffix /ended,$(TO_MAKE)))

@@ -45,8 +45,8 @@ TEST(Front, TakesTheBetterOfTwoThatCostTheSame) {
 TEST(ScatterFloor, IsStudentsIntervalOfAMeanByThePooledScatter) {
     const std::vector<std::vector<double>> groups{{0, 2}, {0, 3, 6}, {7}};  // s² = 20/3, ν = 3
     constexpr double t3 = 3.182446305284263;                                // tables: 0.975, ν = 3
-    EXPECT_NEAR(scatter_floor(groups, 4), t3 * std::sqrt(20.0 / 3) / 2, 1e-6);
-    EXPECT_TRUE(std::isinf(scatter_floor(std::vector<std::vector<double>>{{1}, {2}}, 1)));
+    EXPECT_NEAR(scatter_floor(pool_scatter(groups), 4), t3 * std::sqrt(20.0 / 3) / 2, 1e-6);
+    EXPECT_TRUE(std::isinf(scatter_floor(pool_scatter(std::vector<std::vector<double>>{{1}, {2}}), 1)));
 }
 
 TEST(Labels, MeetNeitherEachOtherNorAMark) {

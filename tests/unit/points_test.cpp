@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "check/check.hpp"
 #include "check/csv.hpp"
 #include "check/document.hpp"
+#include "check/points_guide.hpp"
 #include "core/error.hpp"
 #include "support/synthetic_runs.hpp"
 
@@ -17,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string references = std::string(IFEDEM_SOURCE_DIR) + "/reproductions/speed_accuracy/references.csv";
+const std::string references = std::string(IFEDEM_SOURCE_DIR) + "/reproductions/speed_accuracy/references3.csv";
 
 /// Variants of three realisations each, with made-up window means and known steps and ns.
 class Points : public ::testing::Test {
@@ -102,6 +104,52 @@ TEST_F(Points, AStoppedRunStaysOnTheChart) {
     EXPECT_EQ(p.stopped, "a disc goes its radius within a step.");
     EXPECT_TRUE(std::isnan(p.error_fine));
     EXPECT_NEAR(p.relative_cost, 0.125 * 1.1, 1e-12);  // its steps, the default's ns
+}
+
+TEST_F(Points, FewerRealisationsHideMore) {
+    for (int k = 1; k <= 3; ++k) add("pair", k, 104.0 + 2 * k, 8e-5, 125'000, 10);  // differences to fine 5, 6, 7
+    add("single", 1, 110, 8e-5, 125'000, 10);
+    const Chart chart = measured().charts.front();
+    // Variants' differences: default 4, 4, 4, pair 5, 6, 7, single 9: s² = 2/4, ν = 4.
+    constexpr double t4 = 2.776445105197799;  // tables: 0.975, ν = 4
+    EXPECT_NEAR(chart.floor(3), t4 * std::sqrt(0.5 / 3), 0.01);
+    EXPECT_NEAR(chart.floor(1), t4 * std::sqrt(0.5), 0.02);
+}
+
+TEST_F(Points, AModelWithoutRunsStandsBesideThem) {
+    request.models.push_back({"formula", "a formula", {1e9, 20}, [](const Case& c) {
+                                  return Values{{"gross_tractive_effort_N", 2 * c.travel.slip_percent}};
+                              }});
+    const PointSet set = measured();
+    const Point p = find(set, "formula");
+    EXPECT_EQ(p.value, 120);
+    EXPECT_NEAR(p.error_fine, 120 - 102, 0.01);
+    EXPECT_NEAR(p.error_text, 120 - 102, 1e-9);
+    EXPECT_NEAR(p.relative_cost, 20 / (1e-9 * 1'000'000 * 19468 * 10), 1e-9);
+    EXPECT_EQ(std::ranges::count(set.points, "formula", &Point::variant), 1);  // it says nothing of the others
+}
+
+TEST_F(Points, FurtherQuantitiesComeFromTheRunsDirectory) {
+    request.measure_more = [](const ifedem::Run& run) {
+        return Values{{"greatest_normal_stress_kPa", run.name.starts_with("fine") ? 50.0 : 53.0}};
+    };
+    const PointSet set = measured();
+    const auto is_stress = [](const Point& p) { return p.quantity == "greatest_normal_stress_kPa"; };
+    EXPECT_EQ(std::ranges::count_if(set.points, is_stress), 2);  // not for windows
+    for (const Point& p : set.points)
+        if (is_stress(p) && p.variant == "default") EXPECT_NEAR(p.error_fine, 3, 1e-12);
+}
+
+TEST_F(Points, TheGuideNamesBothEndsOfAFront) {
+    for (int k = 1; k <= 3; ++k) add("rough", k, 140.0 + k, 8e-5, 125'000, 10);
+    write_points(request);
+    const std::string out = (root / "guide").string();
+    write_points_guide({{request.out_dir}, "default", out, find_root(references) + "/reports/templates", "make x"});
+    EXPECT_EQ(read_text(out + "/points.csv"), read_text(request.out_dir + "/points.csv"));
+    const CsvTable front = read_csv(request.out_dir + "/front.csv");
+    EXPECT_EQ(front.rows.front().cells[front.require("variant")], "rough");
+    const std::string text = read_text(out + "/report.md");
+    EXPECT_NE(text.find("| H [N] | rough (24.3 s) | 40 |"), std::string::npos) << text;  // 125,000 × 19,468 × 10 ns
 }
 
 TEST_F(Points, ARealisationWithoutPartnerIsTold) {
