@@ -41,9 +41,9 @@ test: build ## unit, verification, stability, determinism and reliability tests
 test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
 	@tests/determinism/run_matrix.sh $(MATRIX)
 
-.PHONY: test-all test-reliability test-privileged test-tsan fuzz check-pages front-page docs
+.PHONY: test-all test-reliability test-privileged test-tsan fuzz check-pages check-paraview front-page docs
 # Each in turn, all of them whatever fails, and one line a part at the end.
-ALL_TESTS := test test-determinism test-reliability test-privileged sanitize test-tsan fuzz quick-chapter2 quick-chapter3 quick-chapter4 quick-chapter5 quick-chapter6 quick-speed-accuracy verify-reports check-pages
+ALL_TESTS := test test-determinism test-reliability test-privileged sanitize test-tsan fuzz quick-chapter2 quick-chapter3 quick-chapter4 quick-chapter5 quick-chapter6 quick-speed-accuracy verify-reports check-pages check-paraview
 test-all: ## everything that can be tested, in two hours or so: what CI leaves out too
 	@failed=; for t in $(ALL_TESTS); do $(MAKE) --no-print-directory $$t || failed="$$failed $$t"; done; \
 	for t in $(ALL_TESTS); do case " $$failed " in *" $$t "*) echo "FAILED  $$t";; *) echo "passed  $$t";; esac; done; [ -z "$$failed" ]
@@ -119,6 +119,11 @@ verify-reports: build ## rerun some runs of the committed reports from nothing a
 check-pages: ## reports in headless Chromium at the width of a phone and a desk (installs chromium)
 	@dpkg -s chromium > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends chromium; }
 	@tests/pages/check_pages.sh $(wildcard reports/index.html reports/*/index.html $(BUILD)/reports/index.html $(BUILD)/reports/*/index.html)
+
+check-paraview: build ## a run's discs.xdmf and wheel.xdmf as ParaView reads them, without a screen (installs paraview)
+	@missing=; for p in paraview python3-paraview python3-h5py; do dpkg -s $$p > /dev/null 2>&1 || missing="$$missing $$p"; done; \
+	[ -z "$$missing" ] || { $(SUDO) apt-get update -qq && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; }
+	@tests/paraview/check_paraview.sh $(BUILD)
 
 front-page: build ## reports/index.html and README.md from the committed reports, after a chapter's was renewed
 	@$(MAKE) --no-print-directory -f reproductions/chapter6/chapter.mk front-page
