@@ -66,7 +66,7 @@ test-tsan: $(BUILD)/.packages ## threads under ThreadSanitizer: a test of the so
 	@tests/tsan/run_threads.sh $(BUILD)-tsan
 
 fuzz: build ## case reader, mesh reader and checkpoint decoder, FUZZ_SECONDS each: build/fuzz.csv
-	@cmake -S . -B $(BUILD)-fuzz -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_FUZZ=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null
+	@cmake -S . -B $(BUILD)-fuzz -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_FUZZ=ON -DCMAKE_CXX_FLAGS_RELEASE=-O2 > /dev/null
 	@cmake --build $(BUILD)-fuzz -j $(JOBS) --target case_fuzzer mesh_fuzzer checkpoint_fuzzer
 	@tests/fuzz/run_fuzzers.sh $(FUZZ_SECONDS)
 

@@ -28,23 +28,40 @@ std::string_view without_unit(std::string_view leaf) {
     return leaf;
 }
 
-/// Levenshtein's distance.
-std::size_t count_edits(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
+constexpr std::size_t longest_word = 80;  // nothing that long is near a key; the distance costs its square
+
+/// Levenshtein's distance of `b`, no longer than longest_word, or `enough` where it is at least that: most words are
+/// given up after their length or a few letters, and a file of nothing but unknown keys asks for all words again and
+/// again.
+std::size_t count_edits(std::string_view a, std::string_view b, std::size_t enough) {
+    if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= enough) return enough;
+    std::array<std::size_t, longest_word + 1> row{};
+    std::iota(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(b.size()) + 1, std::size_t{0});
     for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
+        std::size_t diagonal = row[0], least = i + 1;
         row[0] = i + 1;
         for (std::size_t j = 0; j < b.size(); ++j) {
             const std::size_t above = row[j + 1];
             row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0U : 1U)});
             diagonal = above;
+            least = std::min(least, row[j + 1]);
         }
+        if (least >= enough) return enough;  // no later row has a lesser least
     }
-    return row[b.size()];
+    return std::min(row[b.size()], enough);
 }
 
-constexpr std::size_t longest_word = 80;  // nothing that long is near a key; the distance costs its square
+/// Keys, and the tables that they stand in.
+std::vector<std::string_view> list_names() {
+    std::vector<std::string_view> names;
+    for (const Key& key : case_keys()) names.push_back(key.name);
+    for (const Key& key : case_keys()) {
+        for (std::string_view table = table_of(key.name); !table.empty(); table = table_of(table)) {
+            if (std::find(names.begin(), names.end(), table) == names.end()) names.push_back(table);
+        }
+    }
+    return names;
+}
 
 }  // namespace
 
@@ -53,7 +70,7 @@ std::string_view nearest_word(std::string_view unknown, std::span<const std::str
     std::string_view best;
     std::size_t fewest = 2 + unknown.size() / 4;
     for (const std::string_view word : words) {
-        const std::size_t edits = count_edits(unknown, word);
+        const std::size_t edits = count_edits(word, unknown, fewest);
         if (edits < fewest) {
             fewest = edits;
             best = word;
@@ -63,23 +80,20 @@ std::string_view nearest_word(std::string_view unknown, std::span<const std::str
 }
 
 std::string advise_key(std::string_view unknown) {
-    std::vector<std::string_view> names;
-    for (const Key& key : case_keys()) names.push_back(key.name);
     // The same word with another unit or none, in the same table or, failing that, in any.
+    const std::string_view table = table_of(unknown), leaf = leaf_of(unknown), stem = without_unit(leaf);
     for (const bool same_table : {true, false}) {
-        for (const std::string_view name : names) {
-            if (same_table && table_of(name) != table_of(unknown)) continue;
-            if (leaf_of(name) == leaf_of(unknown)) return fmt::format(" (it stands elsewhere). Did you mean {}?", name);
-            if (without_unit(leaf_of(name)) == without_unit(leaf_of(unknown))) {
+        for (const Key& key : case_keys()) {
+            const std::string_view name = key.name;
+            if (same_table && table_of(name) != table) continue;
+            if (leaf_of(name) == leaf) return fmt::format(" (it stands elsewhere). Did you mean {}?", name);
+            // Only a leaf that begins with the stem has the same: most are told apart without their units.
+            if (leaf_of(name).starts_with(stem) && without_unit(leaf_of(name)) == stem) {
                 return fmt::format(" (a key ends in its unit, and values are in SI units). Did you mean {}?", name);
             }
         }
     }
-    for (const Key& key : case_keys()) {
-        for (std::string_view table = table_of(key.name); !table.empty(); table = table_of(table)) {
-            if (std::find(names.begin(), names.end(), table) == names.end()) names.push_back(table);
-        }
-    }
+    static const std::vector<std::string_view> names = list_names();
     const std::string_view near = nearest_word(unknown, names);
     if (!near.empty()) return fmt::format(". Did you mean {}?", near);
     return ". Look it up with \"ifedem describe\"?";
