@@ -209,16 +209,6 @@ ElementShape relax(const Material& material, const std::array<Vec2, 4>& now, con
     return shape;
 }
 
-std::array<double, 3> element_stress_Pa(const SoilModel& model, const SoilState& soil, std::uint32_t block) {
-    Mesh mesh;
-    mesh.node_m.assign(soil.shape[block].corner_m.begin(), soil.shape[block].corner_m.end());
-    mesh.quad = {{0, 1, 2, 3}};
-    mesh.part = {Part::rim};
-    const Material& m = model.material;
-    const ElementSet set = make_elements(mesh, {m, m, m, m}, model.thickness_m, PlaneState::strain);
-    return centroid_stress_Pa(set.element[0], m, PlaneState::strain, corners_of(model, soil, block));
-}
-
 /// Discs of the pattern, flattened by `squash` of their height, in the element's present shape.
 std::vector<Disc> place_pattern(const SoilModel& model, const SoilState& soil, const ConversionEdit& edit,
                                 double squash) {
@@ -278,6 +268,16 @@ double find_squash(const SoilModel& model, const DemConstants& k, const SoilStat
 
 }  // namespace
 
+std::array<double, 3> element_stress_Pa(const SoilModel& model, const SoilState& soil, std::uint32_t block) {
+    Mesh mesh;
+    mesh.node_m.assign(soil.shape[block].corner_m.begin(), soil.shape[block].corner_m.end());
+    mesh.quad = {{0, 1, 2, 3}};
+    mesh.part = {Part::rim};
+    const Material& m = model.material;
+    const ElementSet set = make_elements(mesh, {m, m, m, m}, model.thickness_m, PlaneState::strain);
+    return centroid_stress_Pa(set.element[0], m, PlaneState::strain, corners_of(model, soil, block));
+}
+
 std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
                                      const std::vector<std::uint32_t>& positions, double volume_m3) {
     const auto& disc = state.discs.disc;
@@ -303,12 +303,18 @@ std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
     return {sum[0] / volume_m3, sum[1] / volume_m3, sum[2] / volume_m3};
 }
 
-std::optional<DueConversion> find_due_conversion(const SoilModel& model, const SoilState& soil, const TyreEdges& tyre) {
+DiscColumns find_disc_columns(const SoilModel& model, const SoilState& soil) {
     const std::uint32_t j = model.rows - 1;
     std::uint32_t first = 0;
     while (first < model.columns && is_element(model, soil, first, j)) ++first;
     std::uint32_t last = first;
     while (last < model.columns && !is_element(model, soil, last, j)) ++last;
+    return {first, last};
+}
+
+std::optional<DueConversion> find_due_conversion(const SoilModel& model, const SoilState& soil, const TyreEdges& tyre) {
+    const std::uint32_t j = model.rows - 1;
+    const auto [first, last] = find_disc_columns(model, soil);
     const double length = model.c.block_length_m;
     const auto margin = static_cast<double>(model.c.margin_columns);
     if (first == last) return std::nullopt;

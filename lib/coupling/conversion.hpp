@@ -27,9 +27,15 @@ struct TyreEdges {
     double rear_x_m = 0, front_x_m = 0;
 };
 
-/// The next block of the top row to convert. In front: the first element, once 1* has passed the edge that lies
-/// elements.margin_columns blocks before its near edge (0: the text's small region). Behind: the last block of discs,
-/// once 2* has passed the edge as many blocks beyond its far one.
+/// Columns of the top row that are discs, from `first` up to but without `last`; equal if there are none.
+struct DiscColumns {
+    std::uint32_t first = 0, last = 0;
+};
+[[nodiscard]] DiscColumns find_disc_columns(const SoilModel& model, const SoilState& soil);
+
+/// The next block of the top row to convert by the tyre's place. In front: the first element, once 1* has passed the
+/// edge that lies elements.margin_columns blocks before its near edge (0: the text's small region). Behind: the last
+/// block of discs, once 2* has passed the edge as many blocks beyond its far one.
 [[nodiscard]] std::optional<DueConversion> find_due_conversion(const SoilModel& model, const SoilState& soil,
                                                                const TyreEdges& tyre);
 
@@ -66,6 +72,10 @@ struct ConversionEdit {
 /// handed over, the new element's stress-free shape is such that it now has the mean stress of the discs' contacts.
 [[nodiscard]] ConversionEdit plan_to_element(const SoilModel& model, const DemConstants& k, const State& state,
                                              const SoilWorkspace& work, std::uint32_t block);
+
+/// Stress (σ_x, σ_y, τ_xy; compression < 0) at the middle of a block that is an element.
+[[nodiscard]] std::array<double, 3> element_stress_Pa(const SoilModel& model, const SoilState& soil,
+                                                      std::uint32_t block);
 
 /// Mean stress (σ_x, σ_y, τ_xy; compression < 0) of discs over a volume, Eq 5.10 summed: Σ r F / V over the springs of
 /// their contacts with each other and, as far as a disc's own side, with discs that are not among them.

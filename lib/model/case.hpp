@@ -22,6 +22,8 @@ enum class SlipRadius { tread, lug_tip };
 enum class SpeedOf { hub, tread };  ///< what travel.speed_m_s is: V, or r ω of the unloaded radius
 enum class ControlScheme { semi_implicit, explicit_, prescribed };  ///< two forms of the PID; or no loop at all
 enum class PlaneState { stress, strain };
+/// Which blocks are discs: by the place of the tyre's edges (section 5.1), or by what the soil does.
+enum class RegionRule { position, adaptive };
 enum class StressHandover { none, mean };  ///< at a conversion: nothing (section 5.1.3), or the mean stress
 enum class FinalStress { skip, write };    ///< stress.csv: stress of every disc and soil element at the end of travel
 
@@ -127,6 +129,8 @@ struct ElementsCase {
     std::int64_t disc_columns = 0;
     std::int64_t conversion_interval_steps = 0;  ///< 0 = blocks stay what they are
     std::int64_t margin_columns = 0;
+    RegionRule region = RegionRule::position;
+    double friction_angle_deg = 52.8;   ///< `ifedem calibrate` on chapter 5's discs: end of biaxial compression
     std::int64_t pattern_discs = 1451;  ///< Table 5-5: 7255 = 5 × 1451
     double pattern_s = 0.5;
     double pattern_mass_factor = 0.01;

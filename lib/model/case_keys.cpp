@@ -22,6 +22,7 @@ constexpr std::string_view slip_radius_words[] = {"tread", "lug-tip"};
 constexpr std::string_view speed_words[] = {"hub", "tread"};
 constexpr std::string_view control_words[] = {"semi-implicit", "explicit", "prescribed"};
 constexpr std::string_view plane_words[] = {"stress", "strain"};
+constexpr std::string_view region_words[] = {"position", "adaptive"};
 constexpr std::string_view handover_words[] = {"none", "mean"};
 constexpr std::string_view final_stress_words[] = {"skip", "write"};
 
@@ -37,6 +38,7 @@ constexpr Words words_of(SlipRadius) { return slip_radius_words; }
 constexpr Words words_of(SpeedOf) { return speed_words; }
 constexpr Words words_of(ControlScheme) { return control_words; }
 constexpr Words words_of(PlaneState) { return plane_words; }
+constexpr Words words_of(RegionRule) { return region_words; }
 constexpr Words words_of(StressHandover) { return handover_words; }
 constexpr Words words_of(FinalStress) { return final_stress_words; }
 
@@ -115,6 +117,11 @@ constexpr std::array keys{
                "steps of travel between looks for blocks to convert; 0 = never"),
     IFEDEM_KEY(elements.margin_columns, "-", whole(0, 1e4),
                "blocks of discs in front of and behind the tyre's own; 0 = the text's small region"),
+    IFEDEM_KEY(
+        elements.region, "", any,
+        "which blocks are discs: by the tyre's edges as in the text, or those that it comes near or that would yield"),
+    IFEDEM_KEY(elements.friction_angle_deg, "°", from_zero(90),
+               "adaptive: the block in front becomes discs when this angle of friction is mobilised in it"),
     IFEDEM_KEY(elements.pattern_discs, "-", whole(1, 1e7), "discs of a block"),
     IFEDEM_KEY(elements.pattern_s, "s", from_zero(1e3), "time for a block's discs to settle, and again under the lid"),
     IFEDEM_KEY(elements.pattern_mass_factor, "-", above_zero(1), "share of their mass that settles them"),

@@ -1,6 +1,6 @@
 #include "step/convert.hpp"
 
-#include "coupling/conversion.hpp"
+#include "coupling/region.hpp"
 
 namespace ifedem {
 namespace {
@@ -12,6 +12,14 @@ TyreEdges find_tyre_edges(const WheelModel& model, const WheelState& wheel) {
         e.front_x_m = max_of(e.front_x_m, wheel.position_m[n].x);
     }
     return e;
+}
+
+std::optional<DueConversion> find_due(const Scene& scene, const State& state) {
+    if (scene.soil.c.region == RegionRule::position)
+        return find_due_conversion(scene.soil, state.soil, find_tyre_edges(scene.wheel, state.wheel));
+    std::vector<Vec2> tread;
+    for (const std::uint32_t n : scene.wheel.mesh.boundary) tread.push_back(state.wheel.position_m[n]);
+    return find_due_adaptive(scene.soil, scene.dem, state, tread);
 }
 
 /// What discs and elements hold now. Springs are those between discs: what they have with elements is not known
@@ -57,7 +65,7 @@ bool was_refused_before(const SoilState& soil, std::uint32_t block) {
 
 /// True: something has changed, and more may be due.
 bool convert_once(const Scene& scene, State& state, Workspace& work) {
-    const auto due = find_due_conversion(scene.soil, state.soil, find_tyre_edges(scene.wheel, state.wheel));
+    const auto due = find_due(scene, state);
     if (!due) return false;
     const ConversionEdit edit = due->kind == ConversionKind::to_discs
                                     ? plan_to_discs(scene.soil, scene.dem, state.soil, due->block)

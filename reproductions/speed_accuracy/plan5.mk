@@ -3,7 +3,7 @@
 CASE   := $(CHAPTER)/cases/discs.toml
 SLIPS  := 40
 FINEST := step0.5
-SEVERAL := step0.5 default row large middle small small_step0.5 small_step1.5 small_discs1.5 small_discs2 small_handover step1.5 discs2
+SEVERAL := step0.5 default row large middle small adaptive small_step0.5 small_step1.5 small_discs1.5 small_discs2 small_handover step1.5 discs2
 SINGLE  := discs1.5 depth0.5 length0.8 rigid step2 small_step2 small_rigid small_fine small_speed2
 MORE    :=
 
@@ -21,6 +21,9 @@ set_depth0.5   := --set bed.disc_count=23140
 # The bin ends 0.395 m beyond the way.
 set_length0.8  := --set bed.length_m=1.92 --set bed.disc_count=37024
 set_rigid      := --set wheel.body=rigid
+# Three blocks to begin with hold the tyre's contact, 0.2 m; the text's five hold its whole width.
+case_adaptive := $(case_small)
+set_adaptive  := --set elements.region=adaptive --set elements.first_disc_column=4 --set elements.disc_columns=3
 set_small_step0.5  := $(call step_set,2e-5)
 set_small_step1.5  := $(call step_set,6e-5)
 set_small_step2    := $(call step_set,8e-5) --allow-unstable
