@@ -23,8 +23,8 @@ constexpr std::array<Quantity, 6> quantities{{{"gross_tractive_effort_N", "N", "
                                               {"net_traction_N", "N", "P_d"},
                                               {"motion_resistance_N", "N", "R"},
                                               {"sinkage_cm", "cm", "z"},
-                                              {"greatest_normal_stress_kPa", "kPa", "σ_max"},
-                                              {"greatest_tangential_stress_kPa", "kPa", "τ_max"}}};
+                                              {"greatest_normal_stress_kPa", "kPa", "max σ"},
+                                              {"greatest_tangential_stress_kPa", "kPa", "max τ"}}};
 
 /// One run of one variant, measured once.
 struct Trial {

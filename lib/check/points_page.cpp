@@ -283,7 +283,7 @@ BulletList guide(const PointsRequest& request, const PointSet& set) {
                     "in full for every run, although runs share them."),
         fmt::format("Relative to the text’s scene: its discs and its time step over the time that {} simulates, at "
                     "that variant’s ns. "
-                    "Where {} has other discs or another step this is extrapolated, steps × discs × ns; nobody ran it.",
+                    "Where {} has other discs or another step this is extrapolated: steps × discs × ns.",
                     request.finest, request.finest),
         fmt::format("Error against {}: the mean difference over realisations of the same packing seed and lug phase, "
                     "without its sign. {} itself has none and is not drawn there.",
