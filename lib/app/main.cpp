@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -389,6 +390,8 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // For gnuplot: figures are UTF-8 whatever language the user has, and without one it warns of each degree sign.
+    ::setenv("LC_ALL", "C.UTF-8", 1);
     try {
         return run_program(argc, argv);
     } catch (const Error& e) {
