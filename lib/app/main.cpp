@@ -279,7 +279,7 @@ void add_picture(CLI::App& app, PictureArguments& a) {
     picture->add_option("-o,--output", a.output, "directory for the pictures")->required();
     picture->add_option("--frame", a.frame, "number of the frame, from 0; -1 for the last");
     picture->add_flag("--sheet", a.sheet, "a contact sheet of nine frames instead");
-    picture->add_flag("--animation", a.animation, "a GIF of all frames instead");
+    picture->add_flag("--animation", a.animation, "a GIF of up to thirty frames instead");
     picture->add_flag("--pressure", a.pressure, "sheet and animation: discs coloured by pressure, not by speed");
     picture->callback([&] {
         const DiscColour colour = a.pressure ? DiscColour::pressure : DiscColour::speed;

@@ -90,11 +90,11 @@ void draw_contact_sheet(const std::string& run_directory, const std::string& out
 void draw_animation(const std::string& run_directory, const std::string& out_directory, DiscColour colour) {
     const FrameReader results(run_directory + "/results.h5");
     const Mesh wheel = results.header().mesh;
-    const std::vector<ShownFrame> frames = read_some(results, results.frames().size(), run_directory);
+    const std::vector<ShownFrame> frames = read_some(results, 30, run_directory);
     SnapshotOptions options = frame_travel(frames, wheel);
-    options.width_px = 900;
+    options.width_px = 800;  // below a megabyte
     options.colour = colour;
-    write_animation_gif(out_directory + "/travel.gif", frames, wheel, options, 200);
+    write_animation_gif(out_directory + "/travel.gif", frames, wheel, options, 300);
 }
 
 }  // namespace ifedem

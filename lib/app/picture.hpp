@@ -13,7 +13,7 @@ void draw_pictures(const std::string& run_directory, const std::string& out_dire
 /// contact_sheet.png: up to nine frames, evenly spaced over the travel.
 void draw_contact_sheet(const std::string& run_directory, const std::string& out_directory, DiscColour colour);
 
-/// travel.gif: all frames, one after the other.
+/// travel.gif: up to thirty frames, evenly spaced, one after the other.
 void draw_animation(const std::string& run_directory, const std::string& out_directory, DiscColour colour);
 
 }  // namespace ifedem
