@@ -82,7 +82,7 @@ void draw_contact_sheet(const std::string& run_directory, const std::string& out
     const Mesh wheel = results.header().mesh;
     const std::vector<ShownFrame> frames = read_some(results, 9, run_directory);
     SnapshotOptions options = frame_travel(frames, wheel);
-    options.width_px = 640;
+    options.width_px = 560;
     options.colour = colour;
     write_contact_sheet_png(out_directory + "/contact_sheet.png", frames, wheel, options, 3);
 }
