@@ -32,7 +32,7 @@ compare() { # what, name, committed hash, hash now
 rerun() { # N, name, committed hash
     out=build/verify/chapter$1
     rm -rf "$out/$2"
-    make --no-print-directory -j"$JOBS" -f "reproductions/chapter$1/chapter.mk" OUT="$out" STAGES=build/verify/stages \
+    make --no-print-directory -j"$JOBS" -f "reproductions/chapter$1/chapter.mk" OUT="$out" STAGES=build/verify/stages RUNS="$2" \
         "$out/$2/run.csv" > /dev/null || tail -n 2 "$out/logs/$2.log"
     compare "chapter $1" "$2" "$3" "$(awk -F, '$1 == "state_hash" { print $2 }' "$out/$2/run.csv" 2> /dev/null)"
 }
