@@ -106,7 +106,6 @@ std::string describe_changes(const Case& from, const Case& to) {
     like.wheel.lug_phase_deg = from.wheel.lug_phase_deg;
     like.wheel.load_N = from.wheel.load_N;
     like.gravity_m_s2 = from.gravity_m_s2;
-    like.stages = from.stages;
     like.travel.slip_percent = from.travel.slip_percent;
     const auto before = full_keys(from), after = full_keys(like);
     std::vector<std::string> changes;

@@ -115,6 +115,8 @@ TEST(Changes, NameKeysOnceAndLeaveConditionsOut) {
     EXPECT_EQ(describe_changes(a, b), "");
     b.contact.damping_ratio = 0.1;
     b.wheel.damping_frame = DampingFrame::absolute;
+    b.stages.load_ramp_s = 0.8;
     EXPECT_EQ(describe_changes(a, b),
-              "contact.damping_ratio 0.2 → 0.1, wheel.damping_frame \"rigid-motion\" → \"absolute\"");
+              "contact.damping_ratio 0.2 → 0.1, wheel.damping_frame \"rigid-motion\" → \"absolute\", "
+              "stages.load_ramp_s 0.0 → 0.8");
 }
