@@ -119,9 +119,10 @@ void choose_discs(const DiscState& discs, const std::vector<Border>& borders, do
     }
 }
 
-/// New nodes move with the discs that they replace; at nodes that stay, the momentum of old and new mass adds up.
-void choose_velocities(const SoilModel& model, const State& state, const SoilWorkspace& work,
-                       const std::array<bool, 4>& is_new, ConversionEdit& edit) {
+/// The new element's mass and velocities: new nodes move with the discs that they replace; at nodes that stay, the
+/// momentum of old and new mass adds up.
+void choose_motion(const SoilModel& model, const State& state, const SoilWorkspace& work,
+                   const std::array<bool, 4>& is_new, ConversionEdit& edit) {
     Vec2 momentum;
     double mass = 0;
     for (const std::uint32_t p : edit.remove) {
@@ -132,7 +133,9 @@ void choose_velocities(const SoilModel& model, const State& state, const SoilWor
     const Vec2 mean = mass > 0 ? (1.0 / mass) * momentum : Vec2{};
     const auto& q = edit.position_m;
     const double area = 0.5 * cross(q[2] - q[0], q[3] - q[1]);
-    const double quarter = 0.25 * model.material.density_kg_m3 * model.thickness_m * area;
+    const bool hand_over = model.c.stress_handover == StressHandover::mean;
+    edit.mass_kg = hand_over ? mass : model.material.density_kg_m3 * model.thickness_m * area;
+    const double quarter = 0.25 * edit.mass_kg;
     const auto node = model.nodes_of(edit.block);
     for (std::size_t a = 0; a < 4; ++a) {
         const double old = is_new[a] ? 0.0 : work.elements.mass_kg[node[a]];
@@ -222,6 +225,14 @@ std::vector<Disc> place_pattern(const SoilModel& model, const SoilState& soil, c
         placed.push_back(d);
     }
     return placed;
+}
+
+/// Makes the discs as heavy together as `mass_kg`, in proportion to their own masses.
+void share_mass(double mass_kg, std::vector<Disc>& discs) {
+    double own_kg = 0;
+    for (const Disc& d : discs) own_kg += 1.0 / d.inverse_mass_1_kg;
+    const double factor = own_kg / mass_kg;
+    for (Disc& d : discs) d.inverse_mass_1_kg *= factor;
 }
 
 using Neighbours = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -339,6 +350,8 @@ ConversionEdit plan_to_discs(const SoilModel& model, const DemConstants& k, cons
     const double squash =
         hand_over ? find_squash(model, k, soil, edit, min_of(0.0, element_stress_Pa(model, soil, block)[1])) : 0.0;
     edit.add = place_pattern(model, soil, edit, squash);
+    // Blocks that are discs from the beginning have their own mass.
+    if (hand_over && soil.kind[block] == BlockKind::element) share_mass(soil.mass_kg[block], edit.add);
     return edit;
 }
 
@@ -367,7 +380,7 @@ ConversionEdit plan_to_element(const SoilModel& model, const DemConstants& k, co
     if (!edit.refusal.empty()) return edit;
     edit.shape.corner_m = edit.position_m;  // stress-free where it stands (section 5.1.3)
     choose_discs(state.discs, find_borders(model, state.soil, edit), largest_radius_m, edit);
-    choose_velocities(model, state, work, is_new, edit);
+    choose_motion(model, state, work, is_new, edit);
     if (model.c.stress_handover == StressHandover::mean) {
         const auto& q = edit.position_m;
         const double volume = 0.5 * cross(q[2] - q[0], q[3] - q[1]) * model.thickness_m;
@@ -387,6 +400,7 @@ void apply_conversion(const ConversionEdit& edit, const SoilModel& model, const 
     }
     soil.kind[edit.block] = to_discs ? BlockKind::discs : BlockKind::element;
     if (to_discs) drop_attached(edit.block, soil);
+    if (!soil.mass_kg.empty()) soil.mass_kg[edit.block] = to_discs ? 0 : edit.mass_kg;
     if (!to_discs) {
         soil.shape[edit.block] = edit.shape;
         const std::vector<BoundaryContact> springs = inherit_springs(edit, state, soil.attached.size());

@@ -54,6 +54,7 @@ struct ConversionEdit {
     std::vector<std::uint32_t> remove;  ///< list positions, ascending; the attached ones among them
     std::vector<Attachment> attach;
     ElementShape shape;                ///< stress-free shape of a new element
+    double mass_kg = 0;                ///< of a new element
     std::array<Vec2, 4> position_m{};  ///< of the block's nodes afterwards
     std::array<Vec2, 4> velocity_m_s{};
     std::string refusal;  ///< why nothing can be done; empty: it can
@@ -61,7 +62,8 @@ struct ConversionEdit {
 
 /// Element → discs (5.1.2, 5.1.5): the block's pattern of discs, carried along by the area coordinates of the four
 /// triangles between the element's corners and its centre (Eqs 5.1–5.3, Figs 5-2, 5-3). With stress handed over, the
-/// pattern is first flattened or stretched upwards until the mean σ_y of its contacts (Eq 5.10) is the element's.
+/// pattern is first flattened or stretched upwards until the mean σ_y of its contacts (Eq 5.10) is the element's, and
+/// its discs share the element's mass in proportion to their own.
 [[nodiscard]] ConversionEdit plan_to_discs(const SoilModel& model, const DemConstants& k, const SoilState& soil,
                                            std::uint32_t block);
 
@@ -69,7 +71,8 @@ struct ConversionEdit {
 /// the node below it at the height of the discs' surface there: the mean of the middle two of four columns of width 2 R
 /// (a thrown disc or a gap moves it little). Discs up to 3 R inside and R outside a border towards free discs are
 /// attached, the rest of the block's are taken away. Refused where the four nodes do not make a sound quad. With stress
-/// handed over, the new element's stress-free shape is such that it now has the mean stress of the discs' contacts.
+/// handed over, the new element's stress-free shape is such that it now has the mean stress of the discs' contacts, and
+/// its mass is that of all discs taken away, attached ones included.
 [[nodiscard]] ConversionEdit plan_to_element(const SoilModel& model, const DemConstants& k, const State& state,
                                              const SoilWorkspace& work, std::uint32_t block);
 

@@ -87,6 +87,8 @@ SoilState place_soil(const SoilModel& model) {
         const auto nodes = model.nodes_of(b);
         for (std::size_t a = 0; a < 4; ++a) shape.corner_m[a] = soil.position_m[nodes[a]];
         soil.shape.push_back(shape);
+        if (model.c.stress_handover == StressHandover::mean)
+            soil.mass_kg.push_back(discs ? 0 : model.material.density_kg_m3 * model.thickness_m * (length * height));
     }
     return soil;
 }
@@ -101,6 +103,7 @@ void attach_soil_workspace(const SoilModel& model, const SoilState& soil, SoilWo
     std::vector<double> mass(soil.position_m.size(), 0.0), damping(soil.position_m.size(), 0.0);
     for (std::size_t k = 0; k < work.block.size(); ++k) {
         work.elements.element[k].node = model.nodes_of(work.block[k]);
+        if (!soil.mass_kg.empty()) work.elements.element_mass_kg[k] = soil.mass_kg[work.block[k]];
         for (const std::uint32_t n : work.elements.element[k].node) {
             mass[n] += 0.25 * work.elements.element_mass_kg[k];
             damping[n] += m.damping_1_s * (0.25 * work.elements.element_mass_kg[k]);

@@ -125,8 +125,9 @@ constexpr std::array keys{
     IFEDEM_KEY(elements.pattern_discs, "-", whole(1, 1e7), "discs of a block"),
     IFEDEM_KEY(elements.pattern_s, "s", from_zero(1e3), "time for a block's discs to settle, and again under the lid"),
     IFEDEM_KEY(elements.pattern_mass_factor, "-", above_zero(1), "share of their mass that settles them"),
-    IFEDEM_KEY(elements.stress_handover, "", any,
-               "what a conversion hands over: nothing as in the text, or the mean stress of what it replaces"),
+    IFEDEM_KEY(
+        elements.stress_handover, "", any,
+        "what a conversion hands over: nothing as in the text, or the mean stress and the mass of what it replaces"),
     IFEDEM_MATERIAL(elements.material, "the soil's elements (plane strain)"),
 
     IFEDEM_KEY(wheel.shape, "", any,

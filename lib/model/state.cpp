@@ -78,6 +78,7 @@ std::uint64_t hash_state(const State& state) {
     for_each_member(state, add);
     if (has_soil_elements(state)) for_each_soil_member(state, add);
     if (has_contact_stress(state)) for_each_stress_member(state, add);
+    if (has_element_mass(state)) for_each_mass_member(state, add);
     return hasher.value();
 }
 

@@ -177,6 +177,7 @@ struct ConversionRecord {
 struct SoilState {
     std::vector<BlockKind> kind;
     std::vector<ElementShape> shape;  ///< per block; of no meaning for discs
+    std::vector<double> mass_kg;  ///< of each block's element where conversions hand mass over (0: discs); else empty
     std::vector<Vec2> position_m, velocity_m_s;
     std::vector<BoundaryContact> contacts;  ///< with the elements' segments; sorted by list position, segment
     std::vector<AttachedDisc> attached;
@@ -258,6 +259,15 @@ template <class S, class F>
 void for_each_stress_member(S& s, F&& f) {
     f("stress_segment", s.stress.segment);
     f("stress_block", s.stress.block);
+}
+
+/// True if conversions hand mass over, so that an element need not have its density times its volume.
+[[nodiscard]] inline bool has_element_mass(const State& s) { return !s.soil.mass_kg.empty(); }
+
+/// And for the member that only such scenes have.
+template <class S, class F>
+void for_each_mass_member(S& s, F&& f) {
+    f("soil_mass_kg", s.soil.mass_kg);
 }
 
 /// The hash that `run` prints: every member, bytes as they are.

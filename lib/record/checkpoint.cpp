@@ -181,6 +181,7 @@ std::vector<std::byte> make_image(const std::string& path, const State& state, c
     for_each_member(state, write);
     if (has_soil_elements(state)) for_each_soil_member(state, write);
     if (has_contact_stress(state)) for_each_stress_member(state, write);
+    if (has_element_mass(state)) for_each_mass_member(state, write);
     for_each_cost(spent, write);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "make", path);
     const ssize_t size = H5Fget_file_image(file, nullptr, 0);
@@ -258,6 +259,7 @@ Checkpoint decode_checkpoint(std::vector<std::byte> image, const std::string& pa
     for_each_member(checkpoint.state, read);
     if (H5Lexists(file, "soil_kind", H5P_DEFAULT) > 0) for_each_soil_member(checkpoint.state, read);
     if (H5Lexists(file, "stress_block", H5P_DEFAULT) > 0) for_each_stress_member(checkpoint.state, read);
+    if (H5Lexists(file, "soil_mass_kg", H5P_DEFAULT) > 0) for_each_mass_member(checkpoint.state, read);
     if (H5Lexists(file, "spent_steps", H5P_DEFAULT) > 0) for_each_cost(checkpoint.spent, read);
     return checkpoint;
 }

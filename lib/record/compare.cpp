@@ -50,6 +50,7 @@ std::vector<Rows> all_rows(const State& state) {
     for_each_member(state, add);
     for_each_soil_member(state, add);
     for_each_stress_member(state, add);
+    for_each_mass_member(state, add);
     return rows;
 }
 

@@ -30,6 +30,8 @@ while kill -0 $sweep 2> /dev/null; do
     kill -KILL "$NODE2"
     stopped=$second
     [ "$engine" != slurm ] || { scontrol requeue "$(squeue -h -w n1 -t R -o %i)" && stopped="$first $second"; }
+    # A run that begins anew empties its directory.
+    for name in $stopped; do touch "$out/$name/was_stopped"; done
     break
 done
 # Slurm starts what it has requeued after two minutes; here at once.
@@ -46,7 +48,7 @@ for run in "$dir"/serial/*/run.csv; do
     name=$(basename "$(dirname "$run")") trouble=
     [ "$(value_of "$dir/serial/$name" state_hash)" = "$(value_of "$out/$name" state_hash)" ] || trouble="other hash or none"
     case " $stopped " in *" $name "*)
-        [ "$(value_of "$out/$name" steps)" -lt "$(value_of "$dir/serial/$name" steps)" ] || trouble="$trouble; not resumed" ;;
+        [ -f "$out/$name/was_stopped" ] || trouble="$trouble; not resumed" ;;
     esac
     echo "$name,$trouble"
 done

@@ -45,6 +45,7 @@ State random_state(std::uint64_t seed) {
     for_each_member(state, fill_member);
     for_each_soil_member(state, fill_member);
     for_each_stress_member(state, fill_member);
+    for_each_mass_member(state, fill_member);
     return state;
 }
 
@@ -64,6 +65,7 @@ std::string first_difference(const State& a, const State& b) {
     for_each_member(a, note);
     for_each_soil_member(a, note);
     for_each_stress_member(a, note);
+    for_each_mass_member(a, note);
     std::string difference;
     std::size_t k = 0;
     const auto compare = [&](const char* name, const auto& member) {
@@ -72,6 +74,7 @@ std::string first_difference(const State& a, const State& b) {
     for_each_member(b, compare);
     for_each_soil_member(b, compare);
     for_each_stress_member(b, compare);
+    for_each_mass_member(b, compare);
     return difference;
 }
 

@@ -96,6 +96,7 @@ State make_full_state() {
     for_each_member(state, fill_member);
     for_each_soil_member(state, fill_member);
     for_each_stress_member(state, fill_member);
+    for_each_mass_member(state, fill_member);
     return state;
 }
 
@@ -143,6 +144,7 @@ TEST(StateHash, ChangesWithEveryByteOfEveryMember) {
     for_each_member(state, expect);
     for_each_soil_member(state, expect);
     for_each_stress_member(state, expect);
+    for_each_mass_member(state, expect);
 }
 
 TEST(StateHash, TheListOfMembersIsWhole) {
@@ -160,6 +162,7 @@ TEST(StateHash, TheListOfMembersIsWhole) {
     for_each_member(state, note);
     for_each_soil_member(state, note);
     for_each_stress_member(state, note);
+    for_each_mass_member(state, note);
     EXPECT_EQ(listed, sizeof(State));
     EXPECT_EQ(names.size(), count) << "two members of one name";
 }
