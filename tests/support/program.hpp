@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,9 @@ public:
         int status = 0;
         waitpid(child_, &status, 0);
         const bool by_signal = WIFSIGNALED(status);
-        return {by_signal ? 128 + WTERMSIG(status) : WEXITSTATUS(status), by_signal, read_text(log_)};
+        std::ifstream log(log_, std::ios::binary);  // may be empty
+        return {by_signal ? 128 + WTERMSIG(status) : WEXITSTATUS(status), by_signal,
+                std::string(std::istreambuf_iterator<char>(log), {})};
     }
 
 private:
