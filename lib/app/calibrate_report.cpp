@@ -271,9 +271,7 @@ void write_calibration_report(const CalibrateRequest& request, const std::vector
     d.sections.push_back({"numbers", "What this sand is", {list_quantities(sand, knobs)}});
     d.sections.push_back({"curves", "Curves", {draw_figures(request, sand)}});
     d.sections.push_back({"how", "How this was made, and how to use it", {explain(request, sand)}});
-    const std::string templates = share_directory() + "/templates";
-    write_text(request.directory + "/index.html", to_html(d, request.directory, read_text(templates + "/report.html"),
-                                                          read_text(templates + "/report.css")));
+    write_html(d, request.directory, share_directory() + "/templates");
     write_text(request.directory + "/report.md", to_markdown(d));
 }
 

@@ -174,9 +174,7 @@ void write_sweep_report(const std::string& directory, std::vector<SweepPoint>& p
     for (SweepPoint& point : points) measure_point(point, directory);
     const Document document = compose(directory, points, command);
     write_file_atomically(directory + "/sweep.csv", make_table(points));
-    const std::string templates = share_directory() + "/templates";
-    write_text(directory + "/index.html", to_html(document, directory, read_text(templates + "/report.html"),
-                                                  read_text(templates + "/report.css")));
+    write_html(document, directory, share_directory() + "/templates");
 }
 
 }  // namespace ifedem

@@ -70,6 +70,8 @@ struct Document {
 /// `page` is the template with {{title}}, {{style}} and {{body}}; `css` goes into {{style}}.
 [[nodiscard]] std::string to_html(const Document& document, const std::string& directory, const std::string& page,
                                   const std::string& css);
+/// The same as `directory`/index.html, with report.html and report.css of the directory `templates`. Throws Error(io).
+void write_html(const Document& document, const std::string& directory, const std::string& templates);
 
 [[nodiscard]] std::string to_markdown(const Document& document);
 

@@ -200,11 +200,8 @@ Document compose(const FrontPage& page, PageKind kind) {
 void write_front_page(const std::string& conclusions_path, const std::vector<std::string>& report_dirs,
                       const std::string& out_dir) {
     const FrontPage page = read_front_page(conclusions_path, report_dirs, out_dir);
-    const std::string templates = find_root(conclusions_path) + "/reports/templates";
     write_text(out_dir + "/README.md", to_markdown(compose(page, PageKind::markdown)));
-    write_text(out_dir + "/index.html",
-               to_html(compose(page, PageKind::html), out_dir, read_text(templates + "/report.html"),
-                       read_text(templates + "/report.css")));
+    write_html(compose(page, PageKind::html), out_dir, find_root(conclusions_path) + "/reports/templates");
 }
 
 }  // namespace ifedem

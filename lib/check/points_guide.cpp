@@ -138,9 +138,7 @@ void write_points_guide(const GuideRequest& request) {
     const Document document = compose(request);
     write_text(request.out_dir + "/points.csv", join_points(request.point_dirs));
     write_text(request.out_dir + "/report.md", to_markdown(document));
-    write_text(request.out_dir + "/index.html",
-               to_html(document, request.out_dir, read_text(request.templates + "/report.html"),
-                       read_text(request.templates + "/report.css")));
+    write_html(document, request.out_dir, request.templates);
 }
 
 }  // namespace ifedem

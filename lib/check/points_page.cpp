@@ -337,9 +337,7 @@ void write_points(const PointsRequest& request) {
     for (const Chart& chart : set.charts) figures.figures.push_back(draw_chart(chart, request, root));
     const Document document = compose(request, set, std::move(figures));
     write_text(request.out_dir + "/report.md", to_markdown(document));
-    write_text(request.out_dir + "/index.html",
-               to_html(document, request.out_dir, read_text(root + "/reports/templates/report.html"),
-                       read_text(root + "/reports/templates/report.css")));
+    write_html(document, request.out_dir, root + "/reports/templates");
 }
 
 }  // namespace ifedem

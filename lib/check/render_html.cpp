@@ -106,4 +106,9 @@ std::string to_html(const Document& document, const std::string& directory, cons
     return fill(fill(fill(page, "{{title}}", escape_html(document.title)), "{{style}}", css), "{{body}}", body);
 }
 
+void write_html(const Document& document, const std::string& directory, const std::string& templates) {
+    write_text(directory + "/index.html", to_html(document, directory, read_text(templates + "/report.html"),
+                                                  read_text(templates + "/report.css")));
+}
+
 }  // namespace ifedem

@@ -66,9 +66,7 @@ void write_report(const ReportRequest& request) {
     write_text(request.out_dir + "/checks.csv", checks_to_csv(result.outcomes));
     write_text(request.out_dir + "/runs.csv", runs_to_csv(result.campaign));
     write_text(request.out_dir + "/report.md", to_markdown(document));
-    write_text(request.out_dir + "/index.html",
-               to_html(document, request.out_dir, read_text(paths.templates + "/report.html"),
-                       read_text(paths.templates + "/report.css")));
+    write_html(document, request.out_dir, paths.templates);
 }
 
 }  // namespace ifedem

@@ -131,8 +131,7 @@ void choose_motion(const SoilModel& model, const State& state, const SoilWorkspa
         mass += 1.0 / d.inverse_mass_1_kg;
     }
     const Vec2 mean = mass > 0 ? (1.0 / mass) * momentum : Vec2{};
-    const auto& q = edit.position_m;
-    const double area = 0.5 * cross(q[2] - q[0], q[3] - q[1]);
+    const double area = quad_area_m2(edit.position_m);
     const bool hand_over = model.c.stress_handover == StressHandover::mean;
     edit.mass_kg = hand_over ? mass : model.material.density_kg_m3 * model.thickness_m * area;
     const double quarter = 0.25 * edit.mass_kg;
@@ -264,8 +263,7 @@ double vertical_stress_Pa(const std::vector<Disc>& discs, const Neighbours& pair
 /// How far the pattern must be flattened for its mean σ_y to be `wanted`, by bisection within ±3 %.
 double find_squash(const SoilModel& model, const DemConstants& k, const SoilState& soil, const ConversionEdit& edit,
                    double wanted_Pa) {
-    const auto& q = edit.position_m;
-    const double volume = 0.5 * cross(q[2] - q[0], q[3] - q[1]) * model.thickness_m;
+    const double volume = quad_area_m2(edit.position_m) * model.thickness_m;
     const Neighbours pairs = find_neighbours(place_pattern(model, soil, edit, 0), 0.06 * k.largest_radius_m);
     double low = -0.03, high = 0.03;
     for (int n = 0; n < 40; ++n) {
@@ -382,9 +380,8 @@ ConversionEdit plan_to_element(const SoilModel& model, const DemConstants& k, co
     choose_discs(state.discs, find_borders(model, state.soil, edit), largest_radius_m, edit);
     choose_motion(model, state, work, is_new, edit);
     if (model.c.stress_handover == StressHandover::mean) {
-        const auto& q = edit.position_m;
-        const double volume = 0.5 * cross(q[2] - q[0], q[3] - q[1]) * model.thickness_m;
-        edit.shape = relax(model.material, q, mean_stress_Pa(k, state, edit.remove, volume));
+        const double volume = quad_area_m2(edit.position_m) * model.thickness_m;
+        edit.shape = relax(model.material, edit.position_m, mean_stress_Pa(k, state, edit.remove, volume));
     }
     return edit;
 }

@@ -65,8 +65,6 @@ std::array<double, 64> integrate_stiffness(const std::array<Vec2, 4>& corner, co
     return k;
 }
 
-double area_m2(const std::array<Vec2, 4>& p) { return 0.5 * cross(p[2] - p[0], p[3] - p[1]); }
-
 std::string_view part_name(Part part) {
     constexpr std::array<std::string_view, 4> name{"rim", "intermediate", "surface", "lug"};
     return name[static_cast<std::size_t>(part)];
@@ -117,7 +115,7 @@ ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& materi
         check_material(m, mesh.part[k], plane);
         const double thickness = thickness_m[static_cast<std::size_t>(mesh.part[k])];
         set.element.push_back(make_element(mesh, k, find_elasticity(m, plane), thickness));
-        const double mass = m.density_kg_m3 * thickness * area_m2(set.element.back().reference_m);
+        const double mass = m.density_kg_m3 * thickness * quad_area_m2(set.element.back().reference_m);
         set.element_mass_kg.push_back(mass);
         for (const std::uint32_t node : mesh.quad[k]) {
             set.mass_kg[node] += 0.25 * mass;

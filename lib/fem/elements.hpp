@@ -16,6 +16,8 @@ struct Material {
     double damping_1_s = 0;
 };
 
+[[nodiscard]] inline double quad_area_m2(const std::array<Vec2, 4>& p) { return 0.5 * cross(p[2] - p[0], p[3] - p[1]); }
+
 /// What one corotational element needs in a step, computed once from the reference mesh.
 struct Element {
     std::array<std::uint32_t, 4> node{};

@@ -9,11 +9,10 @@
 #include <cstdio>
 
 #include "core/hash.hpp"
-#include "record/checkpoint.hpp"
 #include "step/energy.hpp"
 #include "step/health.hpp"
 #include "step/soil_pattern.hpp"
-#include "support/scratch.hpp"
+#include "support/soil_drive.hpp"
 #include "support/soil_scenes.hpp"
 
 namespace ifedem {
@@ -269,27 +268,6 @@ TEST(Handover, gives_the_new_soil_the_stress_of_the_old) {
 
 // ---- A wheel that drives over blocks --------------------------------------------------------------------------------
 
-Case make_drive() {
-    Case c;
-    c.elements.columns = 10, c.elements.rows = 2;
-    c.elements.block_length_m = 0.12, c.elements.block_height_m = 0.08;
-    c.elements.first_disc_column = 1, c.elements.disc_columns = 4;
-    c.elements.pattern_discs = 440, c.elements.pattern_s = 0.05;
-    c.elements.conversion_interval_steps = 500;
-    c.bed.length_m = 1.2;
-    c.wheel.load_N = 60;
-    c.travel.start_x_m = 0.36, c.travel.distance_m = 0.2, c.travel.speed_m_s = 0.4, c.travel.acceleration_time_s = 0.1;
-    c.stages.consolidation_s = 0.1, c.stages.sinkage_s = 0.1;
-    c.record.energy_interval_s = 0;
-    return c;
-}
-
-void enter(World& w, const Case& c, Stage stage) {
-    w.scene = make_scene(c, stage);
-    begin_stage(w.scene, w.state);
-    w.work = make_workspace(w.scene, w.state);
-}
-
 std::size_t count_made(const State& s, double kind) {
     return static_cast<std::size_t>(std::ranges::count_if(
         s.soil.conversions, [&](const ConversionRecord& r) { return r.kind == kind && r.refused == 0; }));
@@ -297,19 +275,10 @@ std::size_t count_made(const State& s, double kind) {
 
 /// The conversions of a drive, which an interrupted and resumed one must make too, with the same bits.
 std::vector<ConversionRecord> drive_and_resume(const Case& c) {
-    World w = begin(c);
-    advance(w, static_cast<std::int64_t>(steps_of_stage(c, Stage::consolidation)));
-    enter(w, c, Stage::sinkage);
-    advance(w, static_cast<std::int64_t>(steps_of_stage(c, Stage::sinkage)));
-    enter(w, c, Stage::travel);
+    World w = begin_travel(c);
     const State start = w.state;
-    const auto steps = static_cast<std::int64_t>(steps_of_stage(c, Stage::travel));
-    for (std::int64_t n = 0; n < steps; n += 50) {
-        advance(w, std::min<std::int64_t>(50, steps - n));
-        const auto fault = check_health(w.scene, w.state, w.work);
-        EXPECT_FALSE(fault.has_value()) << to_text(*fault);
-        if (fault) return {};
-    }
+    drive_through(w, c);
+    if (testing::Test::HasFatalFailure()) return {};
     const auto& made = w.state.soil.conversions;
     for (const ConversionRecord& r : made)
         std::printf(
@@ -326,23 +295,8 @@ std::vector<ConversionRecord> drive_and_resume(const Case& c) {
 
     // Interrupted at the boundary at which the first conversion is due, and again in the middle between two looks.
     for (const std::int64_t stop :
-         {static_cast<std::int64_t>(made[0].step), static_cast<std::int64_t>(made[0].step) + 730}) {
-        World part;
-        part.state = start;
-        part.scene = make_scene(c, Stage::travel);
-        part.work = make_workspace(part.scene, part.state);
-        omp_set_num_threads(2);
-        advance(part, stop);
-        const Scratch scratch;
-        write_checkpoint(scratch.file("checkpoint.h5"), part.state, c);
-        World rest;
-        rest.state = read_checkpoint(scratch.file("checkpoint.h5")).state;
-        rest.scene = make_scene(c, Stage::travel);
-        rest.work = make_workspace(rest.scene, rest.state);
-        advance(rest, steps - stop);
-        omp_set_num_threads(1);
-        EXPECT_EQ(to_hex(hash_state(rest.state)), to_hex(hash_state(w.state))) << "stopped at step " << stop;
-    }
+         {static_cast<std::int64_t>(made[0].step), static_cast<std::int64_t>(made[0].step) + 730})
+        expect_same_end_after_a_stop(c, start, stop, w.state);
     return made;
 }
 

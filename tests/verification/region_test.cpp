@@ -6,11 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/hash.hpp"
-#include "record/checkpoint.hpp"
 #include "step/convert.hpp"
-#include "step/health.hpp"
-#include "support/scratch.hpp"
+#include "support/soil_drive.hpp"
 #include "support/soil_scenes.hpp"
 
 namespace ifedem {
@@ -124,55 +121,18 @@ TEST(AdaptiveRegion, KeepsOneBlock) {
 }
 
 TEST(AdaptiveRegion, DrivesWithTheSameBitsAfterAResume) {
-    Case c;
-    c.elements.columns = 10, c.elements.rows = 2;
-    c.elements.block_length_m = 0.12, c.elements.block_height_m = 0.08;
-    c.elements.first_disc_column = 1, c.elements.disc_columns = 4;
-    c.elements.pattern_discs = 440, c.elements.pattern_s = 0.05;
-    c.elements.conversion_interval_steps = 500;
+    Case c = make_drive();
     c.elements.region = RegionRule::adaptive;
-    c.bed.length_m = 1.2;
-    c.wheel.load_N = 60;
-    c.travel.start_x_m = 0.36, c.travel.distance_m = 0.2, c.travel.speed_m_s = 0.4, c.travel.acceleration_time_s = 0.1;
-    c.stages.consolidation_s = 0.1, c.stages.sinkage_s = 0.1;
-    c.record.energy_interval_s = 0;
-    World w = begin(c);
-    for (const Stage stage : {Stage::consolidation, Stage::sinkage, Stage::travel}) {
-        if (stage != Stage::consolidation) {
-            w.scene = make_scene(c, stage);
-            begin_stage(w.scene, w.state);
-            w.work = make_workspace(w.scene, w.state);
-        }
-        if (stage != Stage::travel) advance(w, static_cast<std::int64_t>(steps_of_stage(c, stage)));
-    }
+    World w = begin_travel(c);
     const State start = w.state;
-    const auto steps = static_cast<std::int64_t>(steps_of_stage(c, Stage::travel));
-    for (std::int64_t n = 0; n < steps; n += 50) {
-        advance(w, std::min<std::int64_t>(50, steps - n));
-        const auto fault = check_health(w.scene, w.state, w.work);
-        ASSERT_FALSE(fault.has_value()) << to_text(*fault);
-    }
+    drive_through(w, c);
+    if (HasFatalFailure()) return;
     const auto& made = w.state.soil.conversions;
     for (const ConversionRecord& r : made)
         std::printf("step %5.0f: block %2.0f %s%s\n", r.step, r.block, r.kind == 0 ? "to discs" : "to element",
                     r.refused != 0 ? " refused" : "");
     ASSERT_FALSE(made.empty());
-    const auto stop = static_cast<std::int64_t>(made.back().step);
-    World part;
-    part.state = start;
-    part.scene = make_scene(c, Stage::travel);
-    part.work = make_workspace(part.scene, part.state);
-    omp_set_num_threads(2);
-    advance(part, stop);
-    const Scratch scratch;
-    write_checkpoint(scratch.file("checkpoint.h5"), part.state, c);
-    World rest;
-    rest.state = read_checkpoint(scratch.file("checkpoint.h5")).state;
-    rest.scene = make_scene(c, Stage::travel);
-    rest.work = make_workspace(rest.scene, rest.state);
-    advance(rest, steps - stop);
-    omp_set_num_threads(1);
-    EXPECT_EQ(to_hex(hash_state(rest.state)), to_hex(hash_state(w.state)));
+    expect_same_end_after_a_stop(c, start, static_cast<std::int64_t>(made.back().step), w.state);
 }
 
 }  // namespace ifedem
