@@ -363,7 +363,7 @@ int run_program(int argc, char** argv) {
         ->required();
     confine->callback([&] { write_confined(confined); });
     SurfaceRequest surface;
-    auto* profile = app.add_subcommand("surface", "the soil's surface at the end of a run");
+    auto* profile = app.add_subcommand("surface", "the soil's surface at the end and at the beginning of a run");
     profile->add_option("run", surface.run, "run directory")->required();
     profile->add_option("-o,--output", surface.output, "CSV file")->required();
     profile->callback([&] { write_surface(surface); });

@@ -96,6 +96,8 @@ private:
 void measure_slip(const SlipGroup& g, Measures& m) {
     m.add_feature(g, "entry_deg", "deg", [](const CurveFeatures& f) { return f.entry_rad[1] * degrees; });
     m.add_feature(g, "exit_deg", "deg", [](const CurveFeatures& f) { return f.exit_rad[1] * degrees; });
+    m.add_feature(g, "contact_range_deg", "deg",
+                  [](const CurveFeatures& f) { return (f.exit_rad[1] - f.entry_rad[1]) * degrees; });
     m.add_feature(g, "greatest_normal_kPa", "kPa", [](const CurveFeatures& f) { return 1e-3 * f.greatest_normal_Pa; });
     m.add_feature(g, "greatest_tangential_kPa", "kPa",
                   [](const CurveFeatures& f) { return 1e-3 * f.greatest_tangential_Pa; });
@@ -132,35 +134,18 @@ void measure_slip(const SlipGroup& g, Measures& m) {
 }
 
 void measure_trends(const std::vector<SlipGroup>& groups, Measures& m) {
-    const auto slope = [&](double from, double CurveFeatures::*member, bool relative) {
-        return [&groups, from, member, relative](auto&& features) {
-            double sum = 0;
-            std::size_t n = 0;
-            for (const SlipGroup& g : groups)
-                if (g.slip_percent >= from) sum += features(g).*member, ++n;
-            return gradient(groups, from, [&](const SlipGroup& g) { return features(g).*member; }) /
-                   (relative ? sum / static_cast<double>(n) : 1.0);
-        };
-    };
-    m.add_over_slips("range_gradient", "-", [&](auto&& features) {
-        return gradient(groups, driven_from_percent,
-                        [&](const SlipGroup& g) { return features(g).exit_rad[1] - features(g).entry_rad[1]; });
+    m.add_over_slips("tangential_angle_gradient", "-", [&](auto&& features) {
+        return gradient(groups, high_from_percent,
+                        [&](const SlipGroup& g) { return features(g).greatest_tangential_rad; });
     });
-    m.add_over_slips("greatest_normal_gradient", "-",
-                     slope(driven_from_percent, &CurveFeatures::greatest_normal_Pa, true));
-    m.add_over_slips("greatest_tangential_gradient", "-",
-                     slope(driven_from_percent, &CurveFeatures::greatest_tangential_Pa, true));
-    m.add_over_slips("normal_angle_gradient", "-", slope(-100, &CurveFeatures::greatest_normal_rad, false));
-    m.add_over_slips("tangential_angle_gradient", "-",
-                     slope(high_from_percent, &CurveFeatures::greatest_tangential_rad, false));
-    m.add_over_slips("peaks_apart_rad", "-", [&](auto&& features) {
-        double sum = 0, n = 0;
+    m.add_over_slips("peaks_apart_greatest_rad", "-", [&](auto&& features) {
+        double greatest = std::numeric_limits<double>::quiet_NaN();
         for (const SlipGroup& g : groups) {
             if (g.slip_percent < high_from_percent) continue;
-            sum += features(g).greatest_tangential_rad - features(g).greatest_normal_rad;
-            n += 1;
+            const double apart = std::fabs(features(g).greatest_tangential_rad - features(g).greatest_normal_rad);
+            if (!(apart <= greatest)) greatest = apart;
         }
-        return sum / n;
+        return greatest;
     });
     m.add_over_slips("relative_peak_gradient", "-", [&](auto&& features) {
         return gradient(groups, driven_from_percent, [&](const SlipGroup& g) { return features(g).relative_peak(); });
@@ -226,20 +211,6 @@ void measure_balances(const std::vector<SlipGroup>& groups, Measures& m) {
         "R by controller less by Eq 4.5 as printed, over W");
 }
 
-/// Change of W by integral from the least to the greatest slip, by the line through all.
-void measure_load(const std::vector<SlipGroup>& groups, Measures& m) {
-    const auto fall = [&](const char* name, double StressRun::*member) {
-        if (groups.size() < 2) return;
-        const double slope = gradient(groups, -100, [&](const SlipGroup& g) { return mean_of(g, member); });
-        m.add({name, 0.01 * slope * (groups.back().slip_percent - groups.front().slip_percent), "N", 0, 1,
-               "line through all slips"});
-    };
-    fall("load_rise_N", &StressRun::load_N);
-    fall("load_printed_rise_N", &StressRun::load_printed_N);
-    fall("load_surface_rise_N", &StressRun::load_surface_N);
-    fall("load_surface_printed_rise_N", &StressRun::load_surface_printed_N);
-}
-
 /// Of the bed after consolidation, one a realisation.
 void measure_bed(const std::vector<SlipGroup>& groups, Measures& m) {
     const SlipGroup* most = &groups.front();
@@ -272,7 +243,6 @@ std::vector<StressMeasure> measure_stress(const std::vector<SlipGroup>& groups) 
     for (const SlipGroup& g : groups) measure_slip(g, m);
     measure_trends(groups, m);
     measure_balances(groups, m);
-    measure_load(groups, m);
     measure_bed(groups, m);
     const Case& c = groups.front().run.front().c;
     m.add({"segment_length_mm", 1e3 * c.wheel.tread_radius_m * pi / static_cast<double>(c.record.stress_segments), "mm",

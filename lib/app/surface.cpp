@@ -41,27 +41,34 @@ void raise_along(Profile& profile, Vec2 left, Vec2 right) {
     }
 }
 
+Profile profile_of(const std::string& run, const std::string& results, std::size_t number, double length_m) {
+    const Frame frame = read_frame(results, number);
+    Profile profile;
+    profile.length_m = length_m;
+    profile.top_m.resize(static_cast<std::size_t>(std::lround(length_m / column_m)), 0.0);
+    for (std::size_t n = 0; n < frame.disc_id.size(); ++n)
+        profile.raise(frame.disc_position_m[n].x,
+                      frame.disc_position_m[n].y + static_cast<double>(frame.disc_radius_m[n]));
+    const SoilOutline soil = read_soil_outline(run, frame.time_s);
+    for (const auto& disc : soil.attached) profile.raise(disc.centre_m.x, disc.centre_m.y + disc.radius_m);
+    for (const auto& corner : soil.element_m) raise_along(profile, corner[3], corner[2]);
+    return profile;
+}
+
 }  // namespace
 
 void write_surface(const SurfaceRequest& request) {
     const std::string path = request.run + "/results.h5";
     const std::size_t count = read_frame_list(path).size();
     if (count == 0) fail_input(fmt::format("{} holds no frame (was the run stopped?). Run the case again?", path));
-    const Frame frame = read_frame(path, count - 1);
-    Profile profile;
-    profile.length_m = parse_case(read_frame_header(path).case_text, path).bed.length_m;
-    profile.top_m.resize(static_cast<std::size_t>(std::lround(profile.length_m / column_m)), 0.0);
-    for (std::size_t n = 0; n < frame.disc_id.size(); ++n)
-        profile.raise(frame.disc_position_m[n].x,
-                      frame.disc_position_m[n].y + static_cast<double>(frame.disc_radius_m[n]));
-    const SoilOutline soil = read_soil_outline(request.run, frame.time_s);
-    for (const auto& disc : soil.attached) profile.raise(disc.centre_m.x, disc.centre_m.y + disc.radius_m);
-    for (const auto& corner : soil.element_m) raise_along(profile, corner[3], corner[2]);
-    std::string text = "x_m,top_m\n";
-    for (std::size_t n = 0; n < profile.top_m.size(); ++n)
-        fmt::format_to(std::back_inserter(text), "{:.5f},{:.5f}\n",
-                       (static_cast<double>(n) + 0.5) * profile.length_m / static_cast<double>(profile.top_m.size()),
-                       profile.top_m[n]);
+    const double length = parse_case(read_frame_header(path).case_text, path).bed.length_m;
+    const Profile first = profile_of(request.run, path, 0, length),
+                  last = profile_of(request.run, path, count - 1, length);
+    std::string text = "x_m,top_m,first_m\n";
+    for (std::size_t n = 0; n < last.top_m.size(); ++n)
+        fmt::format_to(std::back_inserter(text), "{:.5f},{:.5f},{:.5f}\n",
+                       (static_cast<double>(n) + 0.5) * length / static_cast<double>(last.top_m.size()), last.top_m[n],
+                       first.top_m[n]);
     write_file_atomically(request.output, text);
 }
 

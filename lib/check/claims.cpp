@@ -135,6 +135,8 @@ private:
             is_ratio || c == Comparison::exceeds || c == Comparison::same || c == Comparison::steeper;
         if (sides.size() > 2) {
             fault("there are more than two sides. Write one '/' in a cell at most.");
+        } else if (c == Comparison::not_cross) {
+            if (sides.size() != 2) fault("not-cross needs two sides. Write them as 170/50+70+100+130.");
         } else if (needs_two && (sides.size() != 2 || sides[0].size() != sides[1].size())) {
             fault(fmt::format(
                 "{} needs two sides of equally many curves. Write them as B3/B6 or mars/earth and 64.4/170.",
@@ -143,9 +145,19 @@ private:
             fault(fmt::format("{} looks at one side. Leave '/' out.", cell("compare")));
         } else if (!is_about_curves(c) && !sides.empty() && sides[0].size() != 1) {
             fault(fmt::format("{} needs one wheel, planet and load. Leave '+' out.", cell("compare")));
-        } else if ((c == Comparison::cross || c == Comparison::not_cross) && sides.size() == 1 && sides[0].size() < 2) {
+        } else if (c == Comparison::cross && sides.size() == 1 && sides[0].size() < 2) {
             fault("one curve cannot cross itself. List several loads or wheels with '+'.");
         }
+    }
+
+    /// measured:NAME over slips is one curve of lines NAME_sSLIP, which can only be judged by itself.
+    void check_measured_curve() {
+        const auto c = claim_.comparison;
+        if (!is_about_curves(c)) return;
+        if (c != Comparison::increasing && c != Comparison::decreasing && c != Comparison::linear)
+            fault(fmt::format("{} over slips cannot be judged by {}. Use increasing, decreasing or linear.",
+                              claim_.metric, cell("compare")));
+        if (cell("slip_percent").empty()) fault("the slips are not selected. Write them in slip_percent, as 7.5..55.");
     }
 
     double number(const std::string& text, const char* what) {
@@ -169,7 +181,9 @@ private:
             fault("the runs are not selected. Fill in wheel, gravity, load_N and slip_percent.");
         else if (needs_runs)
             check_sides();
-        if (is_about_curves(claim_.comparison) && find_metric(without_prefix(claim_.metric)) == nullptr)
+        if (claim_.metric.starts_with("measured:"))
+            check_measured_curve();
+        else if (is_about_curves(claim_.comparison) && find_metric(without_prefix(claim_.metric)) == nullptr)
             fault(fmt::format("{} has no curve over slip. Use a column of runs.csv.", claim_.metric));
         read_window();
         read_units();

@@ -22,7 +22,7 @@ enum class Comparison {
     same,        ///< both sides agree at each slip within the tolerance
     steeper,     ///< the first side changes more over slip than the second
     cross,       ///< the curves of one side cross each other within the tolerance of one slip
-    not_cross,   ///< they do not
+    not_cross,   ///< those of the first side do not cross those of the second so
     none,        ///< not computable; the note says why
 };
 

@@ -193,13 +193,14 @@ Finding judge_equal(const Judge& j, const Quantity& q, double reference) {
     return compare_within_uncertainty(error, q.uncertainty, limit);
 }
 
+/// By more than the claim's own threshold, which U has to tell, or by more than U.
 Finding judge_side(const Judge& j, const Quantity& q, double reference) {
     const double sign = j.claim.comparison == Comparison::above ? 1.0 : -1.0;
     const double margin = sign * (q.value - reference);
     const double tolerance = j.claim.tolerance.value_or(q.uncertainty);
     j.out.tolerance_text = format_number(tolerance);
     if (std::isfinite(tolerance) && tolerance > 0) j.out.error_over_tolerance = -margin / tolerance;
-    return compare_side(margin, tolerance);
+    return compare_side(margin - j.claim.tolerance.value_or(0), q.uncertainty);
 }
 
 Finding judge_at_most(const Judge& j, const Quantity& q, double reference) {

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <map>
 #include <vector>
 
+#include "check/csv.hpp"
 #include "check/ordering.hpp"
 
 namespace ifedem {
@@ -42,8 +45,43 @@ std::size_t fewest_points(const Claim& claim) {
 
 using Sides = std::vector<std::vector<TrendPoints>>;
 
+/// The lines NAME_sSLIP of measurements.csv at the claim's slips. Each has its own scatter.
+std::variant<TrendPoints, Missing> measured_points(const Campaign& campaign, const Claim& claim) {
+    const auto& s = claim.selection;
+    const std::string name = without_prefix(claim.metric) + "_s";
+    std::map<double, const Measurement*> by_slip;
+    for (const Measurement& m : campaign.measurements) {
+        if (!m.name.starts_with(name)) continue;
+        const auto slip = parse_number(m.name.substr(name.size()));
+        if (slip && *slip >= s.slip_from_percent - 1e-9 && *slip <= s.slip_to_percent + 1e-9) by_slip[*slip] = &m;
+    }
+    if (by_slip.size() < fewest_points(claim))
+        return Missing{fmt::format("measurements.csv holds {} at {} of the slips {:g}–{:g} %",
+                                   without_prefix(claim.metric), by_slip.size(), s.slip_from_percent,
+                                   s.slip_to_percent)};
+    TrendPoints points;
+    for (const auto& [slip, m] : by_slip) {
+        const auto n = static_cast<double>(m->n);
+        points.slip_percent.push_back(slip);
+        points.mean.push_back(m->value);
+        points.n.push_back(n);
+        points.weight.push_back(m->scatter > 0 ? n / (m->scatter * m->scatter) : n);
+        points.uncertainty.push_back(m->uncertainty ? *m->uncertainty
+                                     : m->n > 1     ? prediction_uncertainty(m->scatter, n - 1, m->n, 0)
+                                                    : std::numeric_limits<double>::infinity());
+        points.runs += m->n;
+    }
+    return points;
+}
+
 std::variant<Sides, Missing> all_points(const Campaign& campaign, const Claim& claim) {
     Sides sides;
+    if (claim.metric.starts_with("measured:")) {
+        auto points = measured_points(campaign, claim);
+        if (const auto* missing = std::get_if<Missing>(&points)) return *missing;
+        sides.push_back({std::get<TrendPoints>(std::move(points))});
+        return sides;
+    }
     for (const auto& curves : claim.selection.sides) {
         sides.emplace_back();
         for (const auto& curve : curves) {
@@ -81,12 +119,13 @@ std::variant<CurveJudgement, Missing> judge_curves(const Campaign& campaign, con
     std::vector<std::string> names;
     const auto c = claim.comparison;
     if (c == Comparison::cross || c == Comparison::not_cross) {
-        results.push_back(judge_cross(sides[0], *claim.tolerance, c == Comparison::cross));
+        results.push_back(c == Comparison::cross ? judge_cross(sides[0], *claim.tolerance)
+                                                 : judge_not_cross(sides[0], sides[1], *claim.tolerance));
         names.emplace_back();
     } else {
         for (std::size_t k = 0; k < sides[0].size(); ++k) {
             results.push_back(judge_curve(claim, sides, k));
-            names.push_back(name_of(claim.selection.sides[0][k]));
+            names.push_back(claim.selection.sides.empty() ? claim.metric : name_of(claim.selection.sides[0][k]));
         }
     }
     CurveJudgement judgement{combine(results, names), sides[0][0].scatter.deviation, 0};

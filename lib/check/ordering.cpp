@@ -138,6 +138,9 @@ std::optional<double> find_crossing(const PolynomialFit& a, const PolynomialFit&
 struct Crossings {
     std::size_t pairs = 0;
     std::vector<double> slip_percent;
+    [[nodiscard]] bool are_common(double tolerance_percent) const {
+        return is_complete() && spread() <= tolerance_percent;
+    }
     [[nodiscard]] bool is_complete() const { return slip_percent.size() == pairs; }
     [[nodiscard]] double spread() const {
         const auto [least, most] = std::minmax_element(slip_percent.begin(), slip_percent.end());
@@ -145,13 +148,21 @@ struct Crossings {
     }
 };
 
-Crossings find_crossings(const std::vector<TrendPoints>& curves, const std::vector<std::vector<double>>& values) {
+std::vector<PolynomialFit> fit_parabolas(const std::vector<TrendPoints>& curves,
+                                         const std::vector<std::vector<double>>& values) {
     std::vector<PolynomialFit> fits;
     for (std::size_t k = 0; k < curves.size(); ++k)
         fits.push_back(fit_polynomial(curves[k].slip_percent, values[k], curves[k].weight, 2));
+    return fits;
+}
+
+/// Of the first `apart` curves with the others; of all with each other if `apart` is 0.
+Crossings find_crossings(const std::vector<TrendPoints>& curves, const std::vector<std::vector<double>>& values,
+                         std::size_t apart) {
+    const auto fits = fit_parabolas(curves, values);
     Crossings found;
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        for (std::size_t j = i + 1; j < curves.size(); ++j) {
+    for (std::size_t i = 0; i < (apart == 0 ? curves.size() : apart); ++i)
+        for (std::size_t j = apart == 0 ? i + 1 : apart; j < curves.size(); ++j) {
             ++found.pairs;
             const auto& slips = curves[i].slip_percent;
             if (const auto x = find_crossing(fits[i], fits[j], slips.front(), slips.back()))
@@ -178,40 +189,60 @@ std::vector<std::vector<double>> redraw(const std::vector<TrendPoints>& curves, 
     return values;
 }
 
-}  // namespace
+std::string describe(const Crossings& found) {
+    const std::string count = fmt::format("{} of {} pairs cross", found.slip_percent.size(), found.pairs);
+    if (found.slip_percent.empty()) return count;
+    const auto [least, most] = std::minmax_element(found.slip_percent.begin(), found.slip_percent.end());
+    return fmt::format("{}, at {:.0f}–{:.0f} % of slip", count, *least, *most);
+}
 
-TrendResult judge_cross(const std::vector<TrendPoints>& curves, double tolerance_percent, bool wanted) {
+/// How often a statement about the crossings holds where the curves are drawn anew within their run errors.
+template <class Statement>
+void judge_redraws(const std::vector<TrendPoints>& curves, std::size_t apart, TrendResult& result, Statement&& holds) {
     constexpr int draws = 1000;
-    std::vector<std::vector<double>> means;
-    bool is_known = true;
-    for (const auto& c : curves) {
-        means.push_back(c.mean);
-        is_known = is_known && c.scatter.degrees_of_freedom >= 1;
-    }
-    const Crossings found = find_crossings(curves, means);
-    TrendResult result;
-    result.tolerance_text = format_number(tolerance_percent);
-    result.detail = fmt::format("{} of {} pairs cross", found.slip_percent.size(), found.pairs);
-    if (!found.slip_percent.empty()) {
-        const auto [least, most] = std::minmax_element(found.slip_percent.begin(), found.slip_percent.end());
-        result.detail += fmt::format(", at {:.0f}–{:.0f} % of slip", *least, *most);
-    }
-    if (found.is_complete()) {
-        result.statistic = found.spread();
-        if (wanted) result.error_over_tolerance = found.spread() / tolerance_percent;
-    }
-    if (!is_known) return result;
+    if (!std::all_of(curves.begin(), curves.end(),
+                     [](const TrendPoints& c) { return c.scatter.degrees_of_freedom >= 1; }))
+        return;
     Random random{1};
-    int holds = 0;
-    for (int k = 0; k < draws; ++k) {
-        const Crossings drawn = find_crossings(curves, redraw(curves, random));
-        const bool is_common = drawn.is_complete() && drawn.spread() <= tolerance_percent;
-        holds += is_common == wanted ? 1 : 0;
-    }
-    const double share = static_cast<double>(holds) / draws;
+    int count = 0;
+    for (int k = 0; k < draws; ++k) count += holds(find_crossings(curves, redraw(curves, random), apart)) ? 1 : 0;
+    const double share = static_cast<double>(count) / draws;
     result.finding = share >= 0.95 ? Finding::within : share <= 0.05 ? Finding::outside : Finding::too_uncertain;
     result.detail +=
         fmt::format("; the statement holds in {:.0f} % of {} redraws within the run errors", 100 * share, draws);
+}
+
+std::vector<std::vector<double>> means_of(const std::vector<TrendPoints>& curves) {
+    std::vector<std::vector<double>> means;
+    for (const auto& c : curves) means.push_back(c.mean);
+    return means;
+}
+
+}  // namespace
+
+TrendResult judge_cross(const std::vector<TrendPoints>& curves, double tolerance_percent) {
+    const Crossings found = find_crossings(curves, means_of(curves), 0);
+    TrendResult result;
+    result.tolerance_text = format_number(tolerance_percent);
+    result.detail = describe(found);
+    if (found.is_complete()) {
+        result.statistic = found.spread();
+        result.error_over_tolerance = found.spread() / tolerance_percent;
+    }
+    judge_redraws(curves, 0, result, [&](const Crossings& c) { return c.are_common(tolerance_percent); });
+    return result;
+}
+
+TrendResult judge_not_cross(const std::vector<TrendPoints>& curves, const std::vector<TrendPoints>& others,
+                            double tolerance_percent) {
+    std::vector<TrendPoints> all = curves;
+    all.insert(all.end(), others.begin(), others.end());
+    const Crossings found = find_crossings(all, means_of(all), curves.size());
+    TrendResult result;
+    result.tolerance_text = format_number(tolerance_percent);
+    result.detail = describe(found);
+    if (found.is_complete()) result.statistic = found.spread();
+    judge_redraws(all, curves.size(), result, [&](const Crossings& c) { return !c.are_common(tolerance_percent); });
     return result;
 }
 

@@ -25,7 +25,12 @@ namespace ifedem {
 
 /// The weighted parabolas of all pairs of curves cross between the first and the last slip, and the crossings lie
 /// within `tolerance_percent` of slip. The curves are drawn anew 1000 times within their run errors: within if it holds
-/// in 95 % of these, outside in 5 % or fewer. `wanted` false asks for the opposite. Needs at least four slips a curve.
-[[nodiscard]] TrendResult judge_cross(const std::vector<TrendPoints>& curves, double tolerance_percent, bool wanted);
+/// in 95 % of these, outside in 5 % or fewer. Needs at least four slips a curve.
+[[nodiscard]] TrendResult judge_cross(const std::vector<TrendPoints>& curves, double tolerance_percent);
+
+/// The opposite for the first curves against the others: their pairs do not all cross within `tolerance_percent` of
+/// slip. How the others stand to each other does not count.
+[[nodiscard]] TrendResult judge_not_cross(const std::vector<TrendPoints>& curves,
+                                          const std::vector<TrendPoints>& others, double tolerance_percent);
 
 }  // namespace ifedem

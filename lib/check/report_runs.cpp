@@ -184,7 +184,7 @@ Section choices_section(const std::string& choices_path, const Campaign& campaig
     s.blocks.emplace_back(
         Paragraph{"The dissertation does not print everything that a program needs. Each gap below was closed before "
                   "the campaign that is judged, "
-                  "for the reason given; what it does to the results at 60 % slip stands in the last column.",
+                  "for the reason given; what it does to the results stands in the last column.",
                   ""});
     Table t;
     t.style = "cards";
@@ -251,7 +251,8 @@ Section reading_section() {
         "cause. not-reproduced: outside. not-computable: the reason is given.",
         "A realisation is a packing of the bed together with a position of the lugs. A computed value is the mean over "
         "n realisations of "
-        "the mean over the averaging window: 40–80 cm of travel, 60–80 cm at 70 % slip, cut to whole lug-pair pitches.",
+        "the mean over the text's averaging window: in chapter 3 40–80 cm of travel, 60–80 cm at 70 % slip, cut to "
+        "whole lug-pair pitches; in chapter 4 from x = 0.9 to 1.2 m; in chapter 5 the last 0.3 m of travel.",
         "U = √(t² s² (1 + 1/n) + u_read²) with Student’s t at 95 % and the standard deviation s of the realisations; "
         "u_read is how well "
         "the text’s own number can be known (1 N on Earth, 0.5 N on Mars, 0.125 cm). Where n = 1, s is borrowed from "

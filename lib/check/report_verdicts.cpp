@@ -88,6 +88,9 @@ std::string sentence(const Outcome& o) {
         case Comparison::below:
             return fmt::format("{}: computed {}.", name_of(o), computed_text(o));
         default:
+            if (o.ledger.kind == "qualitative")
+                return fmt::format("{}: {}; “{}” was taken as {}.", name_of(o), computed_text(o), o.ledger.value,
+                                   reference_text(o));
             return fmt::format("{}: {} where the text has {}.", name_of(o), computed_text(o), reference_text(o));
     }
 }

@@ -1,8 +1,9 @@
 #!/bin/sh
 # gains.sh OUT DEFAULT RUN...: how well the controllers follow their targets with gains × 0.1 and × 10, runs named LOOPTERMxFACTOR-…
 # (drawbarP0.1-tyre-s22-r1), in the case's averaging window. Writes OUT/gains.csv (rms error of hub speed and of angular velocity over the
-# target, in percent) and OUT/measurements.csv: the greatest change by an I or D gain over the greatest by a P gain, as
-# |ln(error / default's error)| of the loop's own quantity. Without a pair of each there is nothing to compare.
+# target, in percent) and OUT/measurements.csv: for each loop the greatest change by its I or D gains over the greatest by its P gains, as
+# |ln(error / default's error)| of its own quantity. Its uncertainty is what the other loop's gains do to that quantity, which they have
+# nothing to do with. Without a pair of each there is nothing to compare.
 set -eu
 out=$1
 shift
@@ -21,13 +22,17 @@ done > "$out/rows"
 { echo "gain,speed_error_percent,turning_error_percent"; cat "$out/rows"; } > "$out/gains.csv"
 rm "$out/rows"
 awk -F, '
-    BEGIN { print "name,value,units,scatter,n,note" }
+    function size(a) { return a < 0 ? -a : a }
+    BEGIN { print "name,value,units,scatter,n,note,uncertainty" }
     FNR == 2 { speed = $2; turning = $3; next }
     FNR > 2 && match($1, /^(drawbar|torque)[PID]/) {
-        change = $1 ~ /^drawbar/ ? log($2 / speed) : log($3 / turning)
-        if (change < 0) change = -change
-        term = substr($1, RLENGTH, 1) == "P" ? "P" : "ID"; ++seen[term]
-        if (change > most[term]) most[term] = change }
+        loop = $1 ~ /^drawbar/ ? "drawbar" : "torque"; other = loop == "drawbar" ? "torque" : "drawbar"
+        own = size(log(loop == "drawbar" ? $2 / speed : $3 / turning)); by_chance = size(log(loop == "drawbar" ? $3 / turning : $2 / speed))
+        term = substr($1, RLENGTH, 1) == "P" ? "P" : "ID"; ++seen[loop, term]
+        if (own > most[loop, term]) most[loop, term] = own
+        if (by_chance > chance[other]) chance[other] = by_chance }
     END {
-        if (seen["P"] && seen["ID"]) printf "gain_sensitivity,%.4g,-,0,1,greatest |ln(error / default)| by I and D gains over that by P gains: %.3g over %.3g\n",
-            most["ID"] / most["P"], most["ID"], most["P"] }' "$out/gains.csv" > "$out/measurements.csv"
+        for (k = 1; k <= 2; ++k) {
+            loop = k == 1 ? "drawbar" : "torque"; id = most[loop, "ID"]; p = most[loop, "P"]; c = chance[loop]
+            if (seen[loop, "P"] && seen[loop, "ID"]) printf "gain_sensitivity_%s,%.4g,-,0,1,greatest |ln(error / default)| by I and D gains over that by P gains: %.3g over %.3g; the other loop changes it by up to %.2g,%.4g\n",
+                loop, id / p, id, p, c, id / p * sqrt((c / id) ^ 2 + (c / p) ^ 2) } }' "$out/gains.csv" > "$out/measurements.csv"

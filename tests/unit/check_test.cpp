@@ -283,6 +283,48 @@ TEST_F(Project, MeasurementsStandBesideRuns) {
     EXPECT_NE(bad.campaign.unusable[0].find("measurements.csv:2: value is not a number"), std::string::npos);
 }
 
+TEST_F(Project, MeasurementsOverSlipsAreACurve) {
+    const auto measure = [&](const std::string& values) {
+        write_text((root / "m/measurements.csv").string(), "name,value,units,scatter,n,note\n" + values);
+    };
+    const auto verdict = [&](const char* compare, const char* slips) {
+        return check(fmt::format("D095,measured:angle,,,,,{},{},,U,ranks,match,,\n", slips, compare),
+                     {(root / "m").string()})
+            .outcomes.at(0)
+            .verdict;
+    };
+    measure(
+        "angle_s-5,80,deg,1,4,\nangle_s1,86,deg,1,4,\nangle_s7.5,90,deg,1,4,\nangle_s22,95,deg,1,4,\n"
+        "angle_s55,99,deg,1,4,\nangle_share_s55,0,-,1,4,\n");
+    EXPECT_EQ(verdict("increasing", "-5..55"), Verdict::match);
+    EXPECT_EQ(verdict("decreasing", "-5..55"), Verdict::not_reproduced);
+    EXPECT_EQ(verdict("increasing", "7.5..55"), Verdict::not_computable);  // three slips
+    // One step back of 9 with U = 3.182 √1.25 = 3.56: the fit is left.
+    measure(
+        "angle_s-5,80,deg,1,4,\nangle_s1,95,deg,1,4,\nangle_s7.5,86,deg,1,4,\nangle_s22,96,deg,1,4,\n"
+        "angle_s55,99,deg,1,4,\n");
+    EXPECT_EQ(verdict("increasing", "-5..55"), Verdict::not_reproduced);
+    // One of 4 is within U, and then ranks 0.8 at p = 0.04 tell.
+    measure(
+        "angle_s-5,80,deg,1,4,\nangle_s1,95,deg,1,4,\nangle_s7.5,91,deg,1,4,\nangle_s22,96,deg,1,4,\n"
+        "angle_s55,99,deg,1,4,\n");
+    EXPECT_EQ(verdict("increasing", "-5..55"), Verdict::match);
+}
+
+TEST_F(Project, AThresholdOfTheClaimIsToldByU) {
+    write_text((root / "m/measurements.csv").string(),
+               "name,value,units,scatter,n,note\nexact,0.4,-,,1,\nlarge,2,-,0.1,4,\nnoisy,2,-,1,4,\n");
+    const auto verdict = [&](const char* name) {
+        return check(fmt::format("D095,measured:{},,,,,,above,=0,0.5,more than a disc,match,,\n", name),
+                     {(root / "m").string()})
+            .outcomes.at(0)
+            .verdict;
+    };
+    EXPECT_EQ(verdict("exact"), Verdict::not_reproduced);  // above 0, but not by 0.5
+    EXPECT_EQ(verdict("large"), Verdict::match);
+    EXPECT_EQ(verdict("noisy"), Verdict::unresolved);
+}
+
 TEST_F(Project, IdsOfBothLedgersAreDistinct) {
     write_text((root / "reference_data/external.csv").string(),
                "id,chapter,quantity,symbol,value,units,condition,source,line,kind,note\n"
@@ -337,19 +379,33 @@ TEST_F(Project, BadClaimsAreAllNamedWithTheirLines) {
         "D095-b,sinkage_cm,text,B3/B6,earth,170+50/50,0..70,exceeds,,U,s,match,,\n"
         "D095-c,sinkage_cm,text,B3/B6,earth,170,0..70,same,,U,s,match,,\n"
         "D095-d,sinkage_cm,text,B3,earth,170,0..70,cross,,10,s,match,,\n"
-        "D095-e,elapsed_max_s,text,B3,earth,170,0..70,increasing,,U,s,match,,\n";
+        "D095-e,elapsed_max_s,text,B3,earth,170,0..70,increasing,,U,s,match,,\n"
+        "D095-f,sinkage_cm,text,B3,earth,170+50,0..70,not-cross,,10,s,match,,\n"
+        "D095-g,measured:angle,,,,,0..70,same,,1,s,match,,\n"
+        "D095-h,measured:angle,,,,,,increasing,,U,s,match,,\n";
     const auto text = message_of([&] { static_cast<void>(check(rows, {})); });
-    for (const char* part :
-         {"claims.csv:2: the id 'D999'", "claims.csv:3: metric 'thrust'", "claims.csv:4: compare 'alike'",
-          "claims.csv:4: expected verdict 'fine'", "claims.csv:5: window '80-40'", "claims.csv:5: load_N 'heavy'",
-          "claims.csv:5: tolerance 'many'", "claims.csv:5: the tolerance 'many' has no origin",
-          "claims.csv:6: sinkage_cm is in cm but the ledger row in N", "claims.csv:7: the id D107-d stands twice",
-          "claims.csv:7: a row that is not computed needs its reason",
-          "claims.csv:8: a ratio:gross_tractive_effort_N needs", "claims.csv:9: the runs are not selected",
-          "claims.csv:10: equal needs one wheel", "claims.csv:11: increasing looks at one side",
-          "claims.csv:12: exceeds needs two sides of equally many curves",
-          "claims.csv:13: same needs a number as tolerance", "claims.csv:14: one curve cannot cross itself",
-          "claims.csv:15: elapsed_max_s has no curve over slip"})
+    for (const char* part : {"claims.csv:2: the id 'D999'",
+                             "claims.csv:3: metric 'thrust'",
+                             "claims.csv:4: compare 'alike'",
+                             "claims.csv:4: expected verdict 'fine'",
+                             "claims.csv:5: window '80-40'",
+                             "claims.csv:5: load_N 'heavy'",
+                             "claims.csv:5: tolerance 'many'",
+                             "claims.csv:5: the tolerance 'many' has no origin",
+                             "claims.csv:6: sinkage_cm is in cm but the ledger row in N",
+                             "claims.csv:7: the id D107-d stands twice",
+                             "claims.csv:7: a row that is not computed needs its reason",
+                             "claims.csv:8: a ratio:gross_tractive_effort_N needs",
+                             "claims.csv:9: the runs are not selected",
+                             "claims.csv:10: equal needs one wheel",
+                             "claims.csv:11: increasing looks at one side",
+                             "claims.csv:12: exceeds needs two sides of equally many curves",
+                             "claims.csv:13: same needs a number as tolerance",
+                             "claims.csv:14: one curve cannot cross itself",
+                             "claims.csv:15: elapsed_max_s has no curve over slip",
+                             "claims.csv:16: not-cross needs two sides",
+                             "claims.csv:17: measured:angle over slips cannot be judged by same",
+                             "claims.csv:18: the slips are not selected"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
 }
 

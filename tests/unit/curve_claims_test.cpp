@@ -252,17 +252,22 @@ TEST(Ordering, CrossingsCommonScatteredAndUnknown) {
                b = curve([](double i) { return 0.3 * (i - 12); }, 0.05),
                c = curve([](double i) { return 0.5 * (i - 13); }, 0.05),
                high = curve([](double i) { return 30 + 0.5 * i; }, 0.05);
-    const auto common = judge_cross({a, b, c}, 10, true);
+    const auto common = judge_cross({a, b, c}, 10);
     EXPECT_EQ(common.finding, Finding::within);
     EXPECT_NEAR(*common.statistic, 14.5 - 12, 0.05);  // b and c meet at (0.5 · 13 − 0.3 · 12)/0.2 = 14.5, a and b at 12
-    EXPECT_EQ(judge_cross({a, b, high}, 10, true).finding, Finding::outside);
-    EXPECT_FALSE(judge_cross({a, b, high}, 10, true).statistic);
-    EXPECT_EQ(judge_cross({a, b, high}, 10, false).finding, Finding::within);
-    EXPECT_EQ(judge_cross({a, b, c}, 1, true).finding, Finding::outside);
+    EXPECT_EQ(judge_cross({a, b, high}, 10).finding, Finding::outside);
+    EXPECT_FALSE(judge_cross({a, b, high}, 10).statistic);
+    // What the others do among themselves is no matter: a and b cross, neither crosses `high`.
+    EXPECT_EQ(judge_not_cross({high}, {a, b}, 10).finding, Finding::within);
+    EXPECT_EQ(judge_not_cross({a}, {b, c}, 10).finding, Finding::outside);
+    // Nor that the others do not cross: `a` crosses each of two that stay apart.
+    const auto level = curve([](double) { return 0.0; }, 0.05), above = curve([](double) { return 0.3; }, 0.05);
+    EXPECT_EQ(judge_not_cross({a}, {level, above}, 10).finding, Finding::outside);
+    EXPECT_EQ(judge_cross({a, b, c}, 1).finding, Finding::outside);
     const auto unknown = curve([](double i) { return 0.1 * (i - 12); }, 0, 0);
-    EXPECT_EQ(judge_cross({unknown, b}, 10, true).finding, Finding::too_uncertain);
+    EXPECT_EQ(judge_cross({unknown, b}, 10).finding, Finding::too_uncertain);
     const auto noisy = curve([](double i) { return 0.28 * (i - 12); }, 2);
-    EXPECT_EQ(judge_cross({noisy, b, c}, 10, true).finding, Finding::too_uncertain);
+    EXPECT_EQ(judge_cross({noisy, b, c}, 10).finding, Finding::too_uncertain);
 }
 
 TEST(Curvature, RunErrorsDecideWhereTheyAreKnown) {

@@ -1,14 +1,28 @@
 # measurements.awk -v out=DIR runs.csv: DIR/curves.csv, means over realisations for the figures, and DIR/measurements.csv, what the
 # claims compare.
-BEGIN { FS = ","; split("12.706 4.303 3.182 2.776 2.571 2.447 2.365 2.306 2.262 2.228 2.201", t975, " ") }  # t(0.975) of 1 to 11 degrees of freedom
+BEGIN {  # t(0.975) of 1 to 20 degrees of freedom
+    FS = ","
+    split("12.706 4.303 3.182 2.776 2.571 2.447 2.365 2.306 2.262 2.228 2.201 2.179 2.160 2.145 2.131 2.120 2.110 2.101 2.093 2.086", t975, " ")
+}
 function sd(sum, sum2, n) { return n > 1 && sum2 > sum * sum / n ? sqrt((sum2 - sum * sum / n) / (n - 1)) : 0 }
 function row(name, value, units, scatter, n, note, uncertainty) {
     printf "%s,%.5g,%s,%.4g,%d,%s,%s\n", name, value, units, scatter, n, note, uncertainty > (out "/measurements.csv") }
 function distance(a, b) { return a > b ? a - b : b - a }
+# 95 % half-width of one pair's difference between a region and discs only, from all pairs with the same packing; "" if there are none.
+function pair_width(g, column,    s, r, d, pairs, total, squares, ss, freedom) {
+    for (s = 0; s <= 70; s += 10) {
+        pairs = total = squares = 0
+        for (r = 1; r <= 12; ++r) if (((g, s, r, column) in of) && (("discs", s, r, column) in of)) {
+            d = of[g, s, r, column] - of["discs", s, r, column]; ++pairs; total += d; squares += d * d
+        }
+        if (pairs > 1) { ss += squares - total * total / pairs; freedom += pairs - 1 }
+    }
+    return freedom ? t975[freedom < 20 ? freedom : 20] * sqrt(ss / freedom) : ""
+}
 FNR == 1 || $3 == "" { next }
 {
-    g = $2; s = $3; key = g SUBSEP s; ++n[key]; net_N[g, s, $4] = $6
-    for (k = 5; k <= 15; ++k) { sum[key, k] += $k; sum2[key, k] += $k * $k }
+    g = $2; s = $3; key = g SUBSEP s; ++n[key]
+    for (k = 5; k <= 15; ++k) { of[g, s, $4, k] = $k; sum[key, k] += $k; sum2[key, k] += $k * $k }
 }
 END {
     print "name,value,units,scatter,n,note,uncertainty" > (out "/measurements.csv")
@@ -39,43 +53,52 @@ END {
             ratio = mean[a, 11] / mean[b, 11]; total += ratio; ++pairs
             if (ratio < low) low = ratio
             if (ratio > high) high = ratio
-            if (distance(mean[a, 6], mean[b, 6]) > net) net = distance(mean[a, 6], mean[b, 6])
+            fewer = n[a] < n[b] ? n[a] : n[b]
+            if (distance(mean[a, 6], mean[b, 6]) > net) { net = distance(mean[a, 6], mean[b, 6]); net_root = sqrt(fewer) }
             share = distance(mean[a, 8], mean[b, 8]) / distance(mean[b, 8], 0)
-            if (share > worst) worst = share
+            if (share > worst) { worst = share; worst_root = sqrt(fewer) * distance(mean[b, 8], 0) }
         }
         if (pairs >= 3) {
             row("time_ratio_spread_" g, (high - low) / (total / pairs), "-", 0, 1, pairs " slips: (largest - smallest) / mean of the ratios")
-            row("net_difference_" g, net / 980, "-", 0, 1, pairs " slips: largest difference of net traction from discs only over W")
-            row("sinkage_difference_" g, worst, "-", 0, 1, pairs " slips: largest difference of sinkage from discs only over it")
+            width = pair_width(g, 6)
+            row("net_difference_" g, net / 980, "-", 0, 1, pairs " slips: largest difference of net traction from discs only over W; U by pairs of packings", \
+                width == "" ? "" : sprintf("%.4g", width / net_root / 980))
+            width = pair_width(g, 8)
+            row("sinkage_difference_" g, worst, "-", 0, 1, pairs " slips: largest difference of sinkage from discs only over it; U by pairs of packings", \
+                width == "" ? "" : sprintf("%.4g", width / worst_root))
         }
         a = g SUBSEP 70; b = "discs" SUBSEP 70
         if ((a in n) && (b in n)) {
             row("upheaval_" g, (mean[a, 14] - mean[b, 14]) / 0.6, "-", dev[a, 14] / 0.6, n[a], "above that of discs only at 70 % in diameters of the largest disc")
-            row("rut_difference_" g, mean[a, 15] / mean[b, 15], "-", 0, 1, "depth of the rut over that of discs only at 70 %")
+            share = mean[a, 15] / mean[b, 15]
+            if (g != "row" && (rut == "" || distance(share, 1) > distance(rut, 1))) { rut = share; rut_of = g }
         }
     }
+    if (rut != "") row("rut_difference", rut, "-", 0, 1, "height behind the tyre over that of discs only at 70 %: the farthest from 1 of the three regions: " rut_of)
     # Differences of our own variants, realisation by realisation, have the 95 % interval of their mean (contract).
     for (s = 0; s <= 10; s += 10) {
         a = "small" SUBSEP s; b = "large" SUBSEP s; c = "discs" SUBSEP s
         if (!((a in n) && (b in n) && (c in n))) continue
         off_a = mean[a, 6] > mean[c, 6] ? 1 : -1; off_b = mean[b, 6] > mean[c, 6] ? 1 : -1
         pairs = total = squares = 0
-        for (r = 1; r <= 12; ++r) if (((a, r) in net_N) && ((b, r) in net_N) && ((c, r) in net_N)) {
-            nearer = (off_a * (net_N[a, r] - net_N[c, r]) - off_b * (net_N[b, r] - net_N[c, r])) / 980
+        for (r = 1; r <= 12; ++r) if (((a, r, 6) in of) && ((b, r, 6) in of) && ((c, r, 6) in of)) {
+            nearer = (off_a * (of[a, r, 6] - of[c, r, 6]) - off_b * (of[b, r, 6] - of[c, r, 6])) / 980
             ++pairs; total += nearer; squares += nearer * nearer
         }
         scatter = sd(total, squares, pairs)
         row("approach_" s, total / pairs, "-", scatter, pairs, "how much nearer to discs only the large region is than the small one: net traction over W", \
             pairs > 1 ? sprintf("%.4g", t975[pairs - 1] * scatter / sqrt(pairs)) : "")
     }
+    # Where net traction is zero: between two slips of one packing by a straight line.
     for (q = 1; q <= 5; ++q) {
-        g = all[q]
-        for (s = 10; s <= 70; s += 10) {
-            a = g SUBSEP (s - 10); b = g SUBSEP s
-            if ((a in n) && (b in n) && mean[a, 6] < 0 && mean[b, 6] >= 0) {
-                row("zero_net_slip_" g, s - 10 + 10 * mean[a, 6] / (mean[a, 6] - mean[b, 6]), "%", 0, 1, "net traction is zero: between two slips by a straight line")
-                break
-            }
+        g = all[q]; zeros = total = squares = 0
+        for (r = 1; r <= 12; ++r) for (s = 10; s <= 70; s += 10) {
+            if (!((g, s - 10, r, 6) in of) || !((g, s, r, 6) in of)) continue
+            low = of[g, s - 10, r, 6]; high = of[g, s, r, 6]
+            if (low >= 0 || high < 0) continue
+            zero = s - 10 + 10 * low / (low - high); ++zeros; total += zero; squares += zero * zero
+            break
         }
+        if (zeros) row("zero_net_slip_" g, total / zeros, "%", sd(total, squares, zeros), zeros, "net traction is zero: between two slips of one packing by a straight line; set slip")
     }
 }

@@ -8,7 +8,7 @@ FILENAME ~ /series.csv$/ {
     ++rows; x[rows] = $at["wheel_x_m"]; line[rows] = $0
     next
 }
-FILENAME ~ /surface-/ { if (FNR > 1) { ++tops; sx[tops] = $1; sy[tops] = $2 } }
+FILENAME ~ /surface-/ { if (FNR > 1) { ++tops; sx[tops] = $1; rise[tops] = $2 - $3 } }
 END {
     for (n = 1; n <= rows; ++n) {
         if (x[n] < x[rows] - last) continue
@@ -17,20 +17,18 @@ END {
         z += c[at["sinkage_m"]]; fy += c[at["vertical_force_N"]]; v += c[at["hub_speed_m_s"]]; w += c[at["omega_rad_s"]]
     }
     h = (t / count) / (r / count); net /= count
-    # Upheaval: the highest mean over 6 cm (a top alone is roughness) from the front edge − 0.1 m to 0.14 m ahead of it,
-    # over the level from 0.15 to 0.35 m ahead. Rut: the mean top over the block behind the rear edge, the tyre
-    # being 0.2675 m in radius, under that level.
-    front = x[rows] + 0.2675; rear = x[rows] - 0.2675
+    # How far the surface rose over where it was when the travel began: a packing's own unevenness is as large as what is
+    # looked for. Upheaval: the greatest mean over 6 cm (a top alone is roughness) from the front edge - 0.1 m to 0.14 m
+    # ahead of it, the tyre being 0.2675 m in radius. Rut: the mean over the block behind the rear edge.
+    front = x[rows] + 0.2675; rear = x[rows] - 0.2675; high = -1
     for (n = 1; n <= tops; ++n) {
-        if (sx[n] > front - 0.1 && sx[n] < front + 0.14) { b = int((sx[n] - front + 0.1) / 0.06); top[b] += sy[n]; ++in_bin[b] }
-        if (sx[n] > front + 0.15 && sx[n] < front + 0.35) { level += sy[n]; ++ahead }
-        if (sx[n] > rear - 0.15 && sx[n] < rear) { bottom += sy[n]; ++behind }
+        if (sx[n] > front - 0.1 && sx[n] < front + 0.14) { b = int((sx[n] - front + 0.1) / 0.06); top[b] += rise[n]; ++in_bin[b] }
+        if (sx[n] > rear - 0.15 && sx[n] < rear) { bottom += rise[n]; ++behind }
     }
     for (b in top) if (top[b] / in_bin[b] > high) high = top[b] / in_bin[b]
-    level = ahead ? level / ahead : 0
     parts = split(name, p, "-")
     slip = parts == 3 && p[2] ~ /^s[0-9]+$/ ? substr(p[2], 2) : ""
     printf "%s,%s,%s,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%s,%d,%d,%.3g,%.3g,%d,%s,%s\n", name, p[1], slip, substr(p[3], 2), \
         h, net, net - h, 100 * z / count, fy / count, 1 - (v / count) / (r / count * (w / count)), of["cpu_s"], made, refused, \
-        100 * (high - level), behind ? 100 * (bottom / behind - level) : 0, of["particles"], of["state_hash"], of["results_version"]
+        100 * high, behind ? 100 * bottom / behind : 0, of["particles"], of["state_hash"], of["results_version"]
 }
