@@ -1,5 +1,5 @@
 # A mean against slip for each region, from measured/curves.csv. Strings from the report: style, output, data, ylabel; the first
-# word of ylabel chooses the column.
+# word of ylabel chooses the column; bars where there are several realisations.
 load style
 set rmargin 16
 set xrange [-2:72]
@@ -13,5 +13,7 @@ col = first eq "gross" ? 4 : first eq "net" ? 5 : first eq "motion" ? 6 : first 
 of(region) = strcol(1) eq region ? column(col) : NaN
 hue(n) = n == 1 ? "#d55e00" : n == 2 ? "#e69f00" : n == 3 ? "#009e73" : n == 4 ? "#cc79a7" : "#111111"
 regions = "small middle large row discs"
+half(region) = strcol(1) eq region && col < 8 ? column(col + 7) : NaN
 plot for [n=1:5] data using 2:(of(word(regions, n))) with linespoints pointtype 7 pointsize 0.5 linewidth 1.3 linecolor rgb hue(n) \
-     title word(regions, n)
+     title word(regions, n), \
+     for [n=1:5] data using ($2 + 0.3 * (n - 3)):(of(word(regions, n))):(half(word(regions, n))) with yerrorbars pointtype 0 linewidth 1 linecolor rgb hue(n) notitle

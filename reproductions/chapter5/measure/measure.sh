@@ -1,7 +1,7 @@
 #!/bin/sh
 # measure.sh IFEDEM OUT RUN...: what the claims of chapter 5 compare, from finished runs named REGION-sSLIP-rREALISATION (-WHAT: a variant).
 # Writes OUT/runs.csv (means of each run), OUT/curves.csv (means over realisations), OUT/epochs.csv (what a conversion does to
-# the tyre), OUT/surface-RUN.csv, OUT/measurements.csv and the report's pictures.
+# the tyre), OUT/surface-RUN.csv, OUT/upheaval.csv, OUT/measurements.csv and the report's pictures.
 set -eu
 ifedem=$1 out=$2
 shift 2
@@ -32,5 +32,7 @@ for run in "$@"; do
 done
 
 awk -v out="$out" -f "$here/measurements.awk" "$out/runs.csv"
+set -- "$out"/surface-*-s70-r1*.csv
+[ ! -f "$1" ] || awk -f "$here/upheaval.awk" "$@" > "$out/upheaval.csv"
 awk -f "$here/epochs.awk" "$out/epochs.csv" "$out/shear.csv" >> "$out/measurements.csv"
 awk -f "$here/time.awk" "$out/runs.csv" > "$out/time.csv"

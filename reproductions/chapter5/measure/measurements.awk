@@ -19,6 +19,7 @@ function pair_width(g, column,    s, r, d, pairs, total, squares, ss, freedom) {
     }
     return freedom ? t975[freedom < 20 ? freedom : 20] * sqrt(ss / freedom) : ""
 }
+$1 ~ /-s70-r1-discs1451$/ { text_count[$2] = $14 }
 FNR == 1 || $3 == "" { next }
 {
     g = $2; s = $3; key = g SUBSEP s; ++n[key]
@@ -26,13 +27,15 @@ FNR == 1 || $3 == "" { next }
 }
 END {
     print "name,value,units,scatter,n,note,uncertainty" > (out "/measurements.csv")
-    print "region,slip_percent,n,gross_N,net_N,resistance_N,sinkage_cm,cpu_s,upheaval_cm,rut_cm" > (out "/curves.csv")
+    print "region,slip_percent,n,gross_N,net_N,resistance_N,sinkage_cm,cpu_s,upheaval_cm,rut_cm,gross_half,net_half,resistance_half,sinkage_half" > (out "/curves.csv")
     split("small middle large row discs", all, " ")
     for (q = 1; q <= 5; ++q) for (s = 0; s <= 70; s += 10) if ((all[q], s) in n) {
         g = all[q]; key = g SUBSEP s
         for (k = 5; k <= 15; ++k) { mean[key, k] = sum[key, k] / n[key]; dev[key, k] = sd(sum[key, k], sum2[key, k], n[key]) }
-        printf "%s,%d,%d,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%.4g\n", g, s, n[key], mean[key, 5], mean[key, 6], mean[key, 7], \
+        printf "%s,%d,%d,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%.4g", g, s, n[key], mean[key, 5], mean[key, 6], mean[key, 7], \
             mean[key, 8], mean[key, 11], mean[key, 14], mean[key, 15] > (out "/curves.csv")
+        for (k = 5; k <= 8; ++k) printf ",%s", n[key] > 1 ? sprintf("%.4g", t975[n[key] - 1] * dev[key, k] / sqrt(n[key])) : "NaN" > (out "/curves.csv")
+        print "" > (out "/curves.csv")
     }
     split("small middle large row", wanted, " ")
     for (q = 1; q <= 4; ++q) {
@@ -74,6 +77,8 @@ END {
             if (g != "row" && (rut == "" || distance(share, 1) > distance(rut, 1))) { rut = share; rut_of = g }
         }
     }
+    for (g in text_count) if (("discs", 70) in n)
+        row("upheaval1451_" g, (text_count[g] - mean["discs" SUBSEP 70, 14]) / 0.6, "-", 0, 1, "the same with the text's 1451 discs in a block")
     if (rut != "") row("rut_difference", rut, "-", 0, 1, "height behind the tyre over that of discs only at 70 %: the farthest from 1 of the three regions: " rut_of)
     # Differences of our own variants, realisation by realisation, have the 95 % interval of their mean (contract).
     for (s = 0; s <= 10; s += 10) {
