@@ -62,8 +62,9 @@ struct ConversionEdit {
 
 /// Element → discs (5.1.2, 5.1.5): the block's pattern of discs, carried along by the area coordinates of the four
 /// triangles between the element's corners and its centre (Eqs 5.1–5.3, Figs 5-2, 5-3). With stress handed over, the
-/// pattern is first flattened or stretched upwards until the mean σ_y of its contacts (Eq 5.10) is the element's, and
-/// its discs share the element's mass in proportion to their own.
+/// pattern is first flattened or stretched upwards, by 3 % at most, until the mean σ_y of its contacts (Eq 5.10) is the
+/// element's (a tenth of what the block's weight gives where the element has less or pulls), and its discs share the
+/// element's mass in proportion to their own. Blocks that are discs from the beginning stand as prepared.
 [[nodiscard]] ConversionEdit plan_to_discs(const SoilModel& model, const DemConstants& k, const SoilState& soil,
                                            std::uint32_t block);
 
