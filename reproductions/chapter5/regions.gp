@@ -13,7 +13,7 @@ col = first eq "gross" ? 4 : first eq "net" ? 5 : first eq "motion" ? 6 : first 
 of(region) = strcol(1) eq region ? column(col) : NaN
 hue(n) = n == 1 ? "#d55e00" : n == 2 ? "#e69f00" : n == 3 ? "#009e73" : n == 4 ? "#cc79a7" : "#111111"
 regions = "small middle large row discs"
-half(region) = strcol(1) eq region && col < 8 ? column(col + 7) : NaN
+half(n) = col < 8 && n > 1 ? column(col + 7) : 0
 plot for [n=1:5] data using 2:(of(word(regions, n))) with linespoints pointtype 7 pointsize 0.5 linewidth 1.3 linecolor rgb hue(n) \
      title word(regions, n), \
-     for [n=1:5] data using ($2 + 0.3 * (n - 3)):(of(word(regions, n))):(half(word(regions, n))) with yerrorbars pointtype 0 linewidth 1 linecolor rgb hue(n) notitle
+     for [n=1:5] data using ($2 + 0.3 * (n - 3)):(of(word(regions, n)) - half($3)):(0):(2 * half($3)) with vectors nohead linewidth 1 linecolor rgb hue(n) notitle

@@ -11,4 +11,6 @@ rise(run) = strcol(1) eq run ? $3 : NaN
 line(n) = word("small-s70-r1-discs1451 middle-s70-r1-discs1451 large-s70-r1-discs1451 small-s70-r1 large-s70-r1 discs-s70-r1", n)
 name(n) = n == 1 ? "small, 1451 discs" : n == 2 ? "middle, 1451" : n == 3 ? "large, 1451" : n == 4 ? "small, 1431" : n == 5 ? "large, 1431" : "discs only"
 hue(n) = n == 1 || n == 4 ? "#d55e00" : n == 2 ? "#e69f00" : n == 3 || n == 5 ? "#009e73" : "#111111"
-plot for [n=1:6] data using 2:(rise(line(n))) with lines linewidth (n < 4 ? 1.8 : 1.2) dashtype (n > 3 && n < 6 ? 2 : 1) linecolor rgb hue(n) title name(n)
+plot for [n=1:3] data using 2:(rise(line(n))) with lines linewidth 1.8 linecolor rgb hue(n) title name(n), \
+     for [n=4:5] data using 2:(rise(line(n))) with lines linewidth 1.2 dashtype 2 linecolor rgb hue(n) title name(n), \
+     data using 2:(rise(line(6))) with lines linewidth 1.2 linecolor rgb hue(6) title name(6)

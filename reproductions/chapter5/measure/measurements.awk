@@ -34,7 +34,7 @@ END {
         for (k = 5; k <= 15; ++k) { mean[key, k] = sum[key, k] / n[key]; dev[key, k] = sd(sum[key, k], sum2[key, k], n[key]) }
         printf "%s,%d,%d,%.5g,%.5g,%.5g,%.5g,%.5g,%.4g,%.4g", g, s, n[key], mean[key, 5], mean[key, 6], mean[key, 7], \
             mean[key, 8], mean[key, 11], mean[key, 14], mean[key, 15] > (out "/curves.csv")
-        for (k = 5; k <= 8; ++k) printf ",%s", n[key] > 1 ? sprintf("%.4g", t975[n[key] - 1] * dev[key, k] / sqrt(n[key])) : "NaN" > (out "/curves.csv")
+        for (k = 5; k <= 8; ++k) printf ",%s", (n[key] > 1 ? sprintf("%.4g", t975[n[key] - 1] * dev[key, k] / sqrt(n[key])) : "NaN") > (out "/curves.csv")
         print "" > (out "/curves.csv")
     }
     split("small middle large row", wanted, " ")
