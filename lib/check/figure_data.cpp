@@ -36,8 +36,17 @@ struct CurveLabel {
     std::string text;
 };
 
-std::string curve_lines(const Campaign& campaign, const Curve& curve, const MetricInfo& metric) {
-    const auto values = collect(campaign, curve, metric);
+ValuesBySlip collect_over(const Campaign& campaign, const Curve& curve, const MetricInfo& metric, SlipAxis axis) {
+    auto values = collect(campaign, curve, metric);
+    if (axis == SlipAxis::set) return values;
+    const auto measured = collect(campaign, curve, *find_metric("measured_slip_percent"));
+    ValuesBySlip moved;
+    for (auto& [slip, group] : values) moved[mean(measured.at(slip))] = std::move(group);
+    return moved;
+}
+
+std::string curve_lines(const Campaign& campaign, const Curve& curve, const MetricInfo& metric, SlipAxis axis) {
+    const auto values = collect_over(campaign, curve, metric, axis);
     if (values.empty()) return {};
     const PooledScatter scatter = borrow_scatter(campaign, curve, metric).pooled;
     const std::string word = to_word(curve);
@@ -73,11 +82,12 @@ std::string label_text(const Curve& curve, const std::vector<CurveName>& curves)
 }
 
 /// Labels at the curves' ends, moved up where they would stand on each other.
-std::string label_lines(const Campaign& campaign, const MetricInfo& metric, const std::vector<CurveName>& curves) {
+std::string label_lines(const Campaign& campaign, const MetricInfo& metric, const std::vector<CurveName>& curves,
+                        SlipAxis axis) {
     std::vector<CurveLabel> labels;
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const auto& name : curves) {
-        const auto values = collect(campaign, name.curve, metric);
+        const auto values = collect_over(campaign, name.curve, metric, axis);
         if (values.empty()) continue;
         for (const auto& [slip, group] : values) {
             least = std::min(least, mean(group));
@@ -167,13 +177,13 @@ CurveName parse_curve(const std::string& text) {
 std::string to_word(const Curve& curve) { return fmt::format("{}-{}-{:g}", curve.wheel, curve.gravity, curve.load_N); }
 
 std::optional<std::string> slip_data(const Campaign& campaign, const std::vector<Outcome>& outcomes,
-                                     const std::string& metric, const std::vector<CurveName>& curves) {
+                                     const std::string& metric, const std::vector<CurveName>& curves, SlipAxis axis) {
     const auto* info = find_metric(metric);
     if (!info) fail_input(fmt::format("figures.csv: the metric '{}' is not known. Use a column of runs.csv.", metric));
     std::string lines;
-    for (const auto& name : curves) lines += curve_lines(campaign, name.curve, *info);
+    for (const auto& name : curves) lines += curve_lines(campaign, name.curve, *info, axis);
     if (lines.empty()) return std::nullopt;
-    lines += label_lines(campaign, *info, curves);
+    lines += label_lines(campaign, *info, curves, axis);
     lines += text_lines(outcomes, metric, curves);
     return "curve,kind,slip_percent,value,uncertainty,n,label\n" + lines;
 }

@@ -20,11 +20,15 @@ struct CurveName {
 /// A word for data files and gnuplot: "B6-earth-170".
 [[nodiscard]] std::string to_word(const Curve& curve);
 
+/// A curve's slip: the commanded one, of the unloaded radius, or that of Eq 3.8 with the effective radius, measured.
+enum class SlipAxis { set, measured };
+
 /// curve,kind,slip_percent,value,uncertainty,n,label with kinds mean, run, fit (weighted parabola), text (the
 /// dissertation's own number), and label, above, below (where words stand). The label names what tells the curves
 /// apart. Nothing if no run fits.
 [[nodiscard]] std::optional<std::string> slip_data(const Campaign& campaign, const std::vector<Outcome>& outcomes,
-                                                   const std::string& metric, const std::vector<CurveName>& curves);
+                                                   const std::string& metric, const std::vector<CurveName>& curves,
+                                                   SlipAxis axis);
 
 /// travel_m and mean, least and greatest of T, P_d and z in bins of travel.
 [[nodiscard]] std::string series_data(const MeasuredRun& run);

@@ -98,10 +98,11 @@ std::string find_file(const FigureRow& row, const Campaign& campaign) {
 
 std::optional<std::string> line_data(const FigureRow& row, const Campaign& campaign,
                                      const std::vector<Outcome>& outcomes, Variables& variables) {
-    if (row.data == "slip") {
+    if (row.data == "slip" || row.data == "measured-slip") {
         std::vector<CurveName> curves;
         for (const auto& part : split(row.series, '|')) curves.push_back(parse_curve(part));
-        auto data = slip_data(campaign, outcomes, row.metric, curves);
+        const auto axis = row.data == "slip" ? SlipAxis::set : SlipAxis::measured;
+        auto data = slip_data(campaign, outcomes, row.metric, curves, axis);
         if (data) name_curves(*data, curves, variables);
         return data;
     }
@@ -119,10 +120,10 @@ std::optional<std::string> line_data(const FigureRow& row, const Campaign& campa
         return path.empty() ? std::nullopt : std::optional(read_text(path));
     }
     if (row.data != "series")
-        fail_input(
-            fmt::format("figures.csv: data '{}' of {} is not known. Use slip, series, snapshot, stiffness, effects, "
-                        "file or agreement.",
-                        row.data, row.name));
+        fail_input(fmt::format(
+            "figures.csv: data '{}' of {} is not known. Use slip, measured-slip, series, snapshot, stiffness, effects, "
+            "file or agreement.",
+            row.data, row.name));
     const auto* run = find_run(campaign, parse_curve(row.series));
     if (!run) return std::nullopt;
     const auto& m = run->metrics;

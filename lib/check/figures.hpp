@@ -20,7 +20,7 @@ struct ReportPaths {
 /// The same for figures.csv in folders of the chapter's, whose scripts stand there.
 /// A line: name, script, data, metric, series, title, ylabel, caption, style.
 ///   data "slip": `metric` against slip for each "wheel gravity load" of `series` (separated by |; without a wheel B3),
-///   with the text's numbers
+///   with the text's numbers; "measured-slip": the same against the slip of Eq 3.8, which the effective radius makes
 ///   data "series": torque, net traction and sinkage of the first run of "gravity load slip" against travel
 ///   data "snapshot": the picture named `script` that a run of "gravity load slip" left in its directory
 ///   data "file": the CSV (or .png) at the path `series` in the first directory of the report that holds it; `metric`

@@ -2,10 +2,12 @@
 # mean, text, above, below, label) the names of the curves that have it.
 load style
 set rmargin 13
-set xrange [-2:72]
+if (!exists("slip_label")) slip_label = "slip, set by the unloaded radius [%]"
+if (!exists("least_slip")) least_slip = -2
+set xrange [least_slip:72]
 set xtics 0,10,70
 set offsets graph 0, graph 0, graph 0.12, graph 0.06
-set xlabel "slip [%]"
+set xlabel slip_label
 set ylabel ylabel
 set style textbox opaque noborder fillcolor rgb "white" margins 0.6,0.4
 
