@@ -74,7 +74,7 @@ std::variant<Quantity, Missing> window_mean(const Judge& j, std::size_t side, co
     return q;
 }
 
-/// The text's reading of one side of a ratio is a force or a length, whose reading uncertainty the contract gives.
+/// The text's reading of one side of a ratio is a force or a length, whose reading uncertainty is known.
 std::variant<Quantity, Missing> ratio_of_means(const Judge& j) {
     const std::string units(find_metric(without_prefix(j.claim.metric))->unit);
     const auto top = window_mean(j, 0, "1", units);
@@ -138,7 +138,9 @@ std::variant<Quantity, Missing> longest_time(const Judge& j, double seconds_per_
 std::variant<Quantity, Missing> measured(const Judge& j) {
     const std::string name = without_prefix(j.claim.metric);
     const Measurement* m = find_measurement(j.campaign, name);
-    if (m == nullptr) return Missing{fmt::format("no measurements.csv holds {}", name)};
+    if (m == nullptr)
+        return Missing{fmt::format("not measured yet (no measurements.csv holds {}){}{}", name,
+                                   j.claim.note.empty() ? "" : "; ", j.claim.note)};
     const bool is_against_ledger = !j.claim.reference_id.empty();
     if (is_against_ledger && m->units != j.out.ledger.units)
         return Missing{

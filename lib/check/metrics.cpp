@@ -103,6 +103,68 @@ double mean_between(std::span<const double> time_s, std::span<const double> y, d
     return integral / (to_s - from_s);
 }
 
+namespace {
+
+/// A run's columns over an averaging window.
+struct Averages {
+    const Run& run;
+    const std::vector<double>& time;
+    double from_s = 0, to_s = 0;
+
+    [[nodiscard]] double mean_of(const std::vector<double>& y) const { return mean_between(time, y, from_s, to_s); }
+    [[nodiscard]] double mean_of(const char* name) const { return mean_of(column(run, name)); }
+    [[nodiscard]] double change_of(const std::vector<double>& y) const {
+        return at_time(time, y, to_s) - at_time(time, y, from_s);
+    }
+};
+
+void measure_forces(const Averages& w, RunMetrics& m) {
+    const auto& torque = column(w.run, "torque_Nm");
+    const auto& radius = column(w.run, "effective_radius_m");
+    const auto& pull = column(w.run, "net_traction_N");
+    std::vector<double> instant(torque.size()), pull_squared(torque.size());
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+        instant[k] = torque[k] / radius[k];
+        pull_squared[k] = pull[k] * pull[k];
+        if (w.time[k] >= w.from_s && w.time[k] <= w.to_s) smallest = std::min(smallest, radius[k]);
+    }
+    m.torque_Nm = w.mean_of(torque);
+    m.effective_radius_m = w.mean_of(radius);
+    m.gross_tractive_effort_N = m.torque_Nm / m.effective_radius_m;
+    m.gross_tractive_effort_instant_N = w.mean_of(instant);
+    m.gross_tractive_effort_minimum_N = m.torque_Nm / smallest;
+    m.net_traction_N = w.mean_of(pull);
+    m.motion_resistance_N = m.net_traction_N - m.gross_tractive_effort_N;
+    m.drawbar_deviation_N = std::sqrt(std::max(0.0, w.mean_of(pull_squared) - m.net_traction_N * m.net_traction_N));
+    m.direct_thrust_N = w.mean_of("fx_positive_N");
+    m.direct_resistance_N = w.mean_of("fx_negative_N");
+    m.vertical_force_N = w.mean_of("vertical_force_N");
+}
+
+void measure_motion(const Averages& w, RunMetrics& m) {
+    m.sinkage_cm = 100 * w.mean_of("sinkage_m");
+    m.deflection_mm = 1e3 * (w.run.c.wheel.tread_radius_m - m.effective_radius_m);
+    const double tread = m.effective_radius_m * w.mean_of("commanded_omega_rad_s");
+    m.measured_slip_percent = 100 * (1 - w.mean_of("hub_speed_m_s") / tread);
+    const auto& vertical = column(w.run, "vertical_force_N");
+    const auto index = [&](double t) { return std::lower_bound(w.time.begin(), w.time.end(), t) - w.time.begin(); };
+    const std::span<const double> within(vertical.begin() + index(w.from_s), vertical.begin() + index(w.to_s));
+    const double step = (w.time.back() - w.time.front()) / static_cast<double>(w.time.size() - 1);
+    const Bounce bounce = find_bounce(within, step);
+    m.bounce_N = bounce.amplitude_N, m.bounce_Hz = bounce.frequency_Hz;
+}
+
+void measure_balances(const Averages& w, RunMetrics& m) {
+    m.horizontal_imbalance_N = m.direct_thrust_N + m.direct_resistance_N - m.net_traction_N;
+    m.vertical_inertia_N = w.change_of(column(w.run, "vertical_momentum_Ns")) / (w.to_s - w.from_s);
+    m.vertical_imbalance_N = m.vertical_force_N - w.run.c.wheel.load_N - m.vertical_inertia_N;
+    for (const auto& [name, values] : w.run.travel)
+        if (name.ends_with("_J")) m.energy_J[name] = w.change_of(values);
+}
+
+}  // namespace
+
 RunMetrics measure(const Run& run, const Window& window) {
     const auto& time = column(run, "time_s");
     const auto& x = column(run, "wheel_x_m");
@@ -114,54 +176,10 @@ RunMetrics measure(const Run& run, const Window& window) {
     RunMetrics m;
     m.window = {window.from_m, std::min(window.to_m, reached)};
     if (run.c.wheel.lug_pairs > 0) m.window = trim(m.window, lug_pair_pitch_m(run.c));  // a smooth tread has no pitch
-    const double from = time_at(time, x, m.window.from_m);
-    const double to = time_at(time, x, m.window.to_m);
-    const auto mean_of = [&](const std::vector<double>& y) { return mean_between(time, y, from, to); };
-    const auto mean_or = [&](const char* name, double otherwise) {
-        const auto* y = find_column(run, name);
-        return y ? mean_of(*y) : otherwise;
-    };
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-
-    const auto& torque = column(run, "torque_Nm");
-    const auto& radius = column(run, "effective_radius_m");
-    std::vector<double> instant(torque.size());
-    std::vector<double> pull_squared(torque.size());
-    const auto& pull = column(run, "net_traction_N");
-    double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < torque.size(); ++k) {
-        instant[k] = torque[k] / radius[k];
-        pull_squared[k] = pull[k] * pull[k];
-        if (time[k] >= from && time[k] <= to) smallest = std::min(smallest, radius[k]);
-    }
-    m.torque_Nm = mean_of(torque);
-    m.effective_radius_m = mean_of(radius);
-    m.gross_tractive_effort_N = m.torque_Nm / m.effective_radius_m;
-    m.gross_tractive_effort_instant_N = mean_of(instant);
-    m.gross_tractive_effort_minimum_N = m.torque_Nm / smallest;
-    m.net_traction_N = mean_of(pull);
-    m.motion_resistance_N = m.net_traction_N - m.gross_tractive_effort_N;
-    m.drawbar_deviation_N = std::sqrt(std::max(0.0, mean_of(pull_squared) - m.net_traction_N * m.net_traction_N));
-    const auto& vertical = column(run, "vertical_force_N");
-    m.vertical_force_N = mean_of(vertical);
-    const auto index = [&](double t) { return std::lower_bound(time.begin(), time.end(), t) - time.begin(); };
-    const std::span<const double> within(vertical.begin() + index(from), vertical.begin() + index(to));
-    const Bounce bounce = find_bounce(within, (time.back() - time.front()) / static_cast<double>(time.size() - 1));
-    m.bounce_N = bounce.amplitude_N, m.bounce_Hz = bounce.frequency_Hz;
-    m.sinkage_cm = 100 * mean_of(column(run, "sinkage_m"));
-    m.deflection_mm = 1e3 * (run.c.wheel.tread_radius_m - m.effective_radius_m);
-    m.direct_thrust_N = mean_or("fx_positive_N", nan);
-    m.direct_resistance_N = mean_or("fx_negative_N", nan);
-    const double speed = mean_or("hub_speed_m_s", run.c.travel.speed_m_s);
-    const double commanded = run.c.travel.speed_m_s / (slip_radius_m(run.c) * (1 - run.c.travel.slip_percent / 100));
-    const double omega = mean_or("commanded_omega_rad_s", commanded);
-    m.measured_slip_percent = 100 * (1 - speed / (m.effective_radius_m * omega));
-    m.horizontal_imbalance_N = m.direct_thrust_N + m.direct_resistance_N - m.net_traction_N;
-    if (const auto* momentum = find_column(run, "vertical_momentum_Ns"))
-        m.vertical_inertia_N = (at_time(time, *momentum, to) - at_time(time, *momentum, from)) / (to - from);
-    m.vertical_imbalance_N = m.vertical_force_N - run.c.wheel.load_N - m.vertical_inertia_N;
-    for (const auto& [name, values] : run.travel)
-        if (name.ends_with("_J")) m.energy_J[name] = at_time(time, values, to) - at_time(time, values, from);
+    const Averages averages{run, time, time_at(time, x, m.window.from_m), time_at(time, x, m.window.to_m)};
+    measure_forces(averages, m);
+    measure_motion(averages, m);
+    measure_balances(averages, m);
     return m;
 }
 

@@ -29,8 +29,6 @@ std::string gravity_name(double gravity_m_s2) {
     return fmt::format("{:g} m/s²", gravity_m_s2);
 }
 
-bool is_travel(const std::string& stage) { return stage == "travel" || stage == "2"; }
-
 Series read_travel(const std::string& path) {
     const CsvTable table = read_csv(path);
     const std::size_t stage = table.require("stage");
@@ -39,7 +37,7 @@ Series read_travel(const std::string& path) {
         if (k == stage) continue;
         std::vector<double> column;
         for (const auto& row : table.rows) {
-            if (!is_travel(row.cells[stage])) continue;
+            if (row.cells[stage] != "travel") continue;
             const auto value = parse_number(row.cells[k]);
             if (!value)
                 fail_input(fmt::format("{}:{}: '{}' in column {} is not a number. Run the case again with --force.",

@@ -52,8 +52,8 @@ inline std::string write_synthetic_run(const std::filesystem::path& parent, cons
         "time_s,stage,wheel_x_m,sinkage_m,slip,effective_radius_m,vertical_force_N,gross_tractive_effort_N,drawbar_"
         "pull_N,"
         "net_traction_N,motion_resistance_N,torque_Nm,fx_positive_N,fx_negative_N,commanded_omega_rad_s,hub_speed_m_s,"
-        "work_torque_J,lost_normal_J,lost_tangential_J,stored_J\n";
-    const std::string zeros = ",0,0,0,0,0,0,0,0,0,0,0,0,0,0\n";  // from vertical_force_N on
+        "vertical_momentum_Ns,work_torque_J,lost_normal_J,lost_tangential_J,stored_J\n";
+    const std::string zeros = ",0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n";  // from vertical_force_N on
     series += "0,consolidation,0.3,0,0,0.15" + zeros + "1,sinkage,0.3,0,0,0.15" + zeros;
     const double omega = 0.1 / (c.wheel.tread_radius_m * (1 - r.slip_percent / 100));
     const auto steps = static_cast<int>(std::lround(r.distance_m / 2e-4));
@@ -67,7 +67,7 @@ inline std::string write_synthetic_run(const std::filesystem::path& parent, cons
         const double effort = torque / r.effective_radius_m;
         series += fmt::format(
             "{:.4f},travel,{:.6f},{:.9g},{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},"
-            "0.1,{:.9g},{:.9g},{:.9g},{:.9g}\n",
+            "0.1,0,{:.9g},{:.9g},{:.9g},{:.9g}\n",
             x / 0.1, 0.3 + x, sinkage, r.slip_percent / 100, r.effective_radius_m, r.load_N, effort, -pull, pull,
             pull - effort, torque, 0.9 * effort, pull - 0.9 * effort, omega, 10 * x, 2 * x, 7 * x, 44 + 0.9 * x);
     }
