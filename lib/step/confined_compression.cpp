@@ -47,6 +47,7 @@ ConfinedCompression compress_confined(const Case& c, const std::vector<Disc>& pa
                                       int points, double speed_m_s) {
     Case box = c;
     box.elements.columns = 0;
+    box.integrator = Integrator::symplectic_euler;  // as the pattern is prepared: slow, whatever the case travels with
     box.bed.length_m = c.elements.block_length_m;
     box.contact.consolidation_friction_soil = c.contact.friction_soil;
     box.contact.consolidation_friction_wall = c.contact.friction_wall;

@@ -7,7 +7,9 @@
 #include "core/hash.hpp"
 #include "dem/bed.hpp"
 #include "record/checkpoint.hpp"
+#include "step/confined_compression.hpp"
 #include "step/energy.hpp"
+#include "step/soil_pattern.hpp"
 #include "support/scratch.hpp"
 #include "support/soil_scenes.hpp"
 
@@ -295,6 +297,24 @@ TEST(Energy, of_discs_that_fall_on_elements_closes) {
             c.time_step_s, released, lost, flow.lost_wheel_J, after.strain_J, 100 * residual[halvings]);
         EXPECT_GT(flow.lost_wheel_J, 0);
         EXPECT_LT(std::fabs(residual[halvings]), 0.01);
+    }
+}
+
+// ---- Discs alone ----------------------------------------------------------------------------------------------------
+
+// Preparation and compression are slow: both take symplectic Euler, whatever the case travels with.
+TEST(Confined, compression_is_the_same_for_any_integrator_of_the_case) {
+    omp_set_num_threads(1);
+    Case c = make_column_case(3, 2, 0.06, 0.05);
+    c.elements.pattern_discs = 138, c.elements.pattern_s = 0.08;
+    const std::vector<Disc> pattern = prepare_pattern(c);
+    const ConfinedCompression reference = compress_confined(c, pattern, 0.01, 2, 0.1);
+    EXPECT_LT(reference.point.back().discs_Pa, -1e3);
+    for (const Integrator integrator : {Integrator::modified_euler_one, Integrator::modified_euler_two}) {
+        c.integrator = integrator;
+        const ConfinedCompression result = compress_confined(c, prepare_pattern(c), 0.01, 2, 0.1);
+        EXPECT_EQ(result.young_Pa, reference.young_Pa);
+        EXPECT_EQ(result.point.back().discs_Pa, reference.point.back().discs_Pa);
     }
 }
 
