@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "check/csv.hpp"
 #include "check/run.hpp"
 #include "core/error.hpp"
 #include "record/checkpoint.hpp"
@@ -23,10 +22,8 @@ bool holds_run(const std::filesystem::path& directory, const std::string& wanted
     if (!std::filesystem::exists(directory / "run.csv")) return false;
     try {
         if (text_without_name(read_case((directory / "case.toml").string())) != wanted) return false;
-        const CsvTable table = read_csv((directory / "run.csv").string());
-        for (const CsvRow& row : table.rows)
-            if (row.cells[table.require("name")] == "results_version")
-                return row.cells[table.require("value")] == std::to_string(results_version);
+        for (const RunValue& v : read_values((directory / "run.csv").string()))
+            if (v.name == "results_version") return v.value == std::to_string(results_version);
     } catch (const Error&) {
     }
     return false;

@@ -236,6 +236,17 @@ void keep_stage(const LiveRun& run, Stage stage) {
     write_checkpoint(directory + "/checkpoint.h5", run.state, run.c);
 }
 
+/// What keep_stage() found worth knowing; nothing where that is lost or damaged.
+std::vector<RunValue> read_stage_facts(const std::string& path) {
+    if (!fs::exists(path)) return {};
+    try {
+        return read_values(path);
+    } catch (const Error& error) {
+        fmt::print(stderr, "note: {} run.csv lacks what it says.\n", error.what());
+        return {};
+    }
+}
+
 /// A damaged file of the cache costs time, not the run.
 std::optional<State> read_stage(const std::string& path) {
     if (!fs::exists(path)) return std::nullopt;
@@ -284,7 +295,7 @@ int finish(LiveRun& run) {
         values.push_back({"wall_s", fmt::format("{:.2f}", spent.wall_s), "s"});
         values.push_back({"ns_per_particle_step", fmt::format("{:.2f}", ns), "ns"});
         for (const Stage s : {Stage::consolidation, Stage::sinkage})
-            for (const RunValue& v : read_values(stage_directory(run, s) + "/stage.csv"))
+            for (const RunValue& v : read_stage_facts(stage_directory(run, s) + "/stage.csv"))
                 values.push_back({std::string(stage_name(s)) + "_" + v.name, v.value, v.unit});
         write_file_atomically(run.request.directory + "/run.csv", to_csv(values));
         write_contact_stress(run.request.directory, run.c, run.state.stress);

@@ -4,7 +4,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "core/bitmath.hpp"
 #include "dem/bed.hpp"
@@ -57,25 +56,6 @@ std::vector<RunValue> describe_run(const Case& c, const State& state, int thread
         {"peak_memory_MB", fmt::format("{:.1f}", peak_memory_MB()), "MB"},
         {"total_steps", fmt::format("{}", state.progress.total_steps), ""},
     };
-    return values;
-}
-
-std::string to_csv(const std::vector<RunValue>& values) {
-    std::string text = "name,value,unit\n";
-    for (const RunValue& v : values) text += fmt::format("{},{},{}\n", v.name, v.value, v.unit);
-    return text;
-}
-
-std::vector<RunValue> read_values(const std::string& path) {
-    std::vector<RunValue> values;
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    while (std::getline(file, line)) {
-        const auto a = line.find(','), b = line.rfind(',');
-        if (a == std::string::npos || b <= a) continue;
-        values.push_back({line.substr(0, a), line.substr(a + 1, b - a - 1), line.substr(b + 1)});
-    }
     return values;
 }
 

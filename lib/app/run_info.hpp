@@ -17,12 +17,6 @@ namespace ifedem {
 /// Largest resident size of the process so far.
 [[nodiscard]] double peak_memory_MB();
 
-/// "name,value,unit" lines.
-[[nodiscard]] std::string to_csv(const std::vector<RunValue>& values);
-
-/// The same read back; empty if there is no such file.
-[[nodiscard]] std::vector<RunValue> read_values(const std::string& path);
-
 /// "0.1.0", and what built it.
 [[nodiscard]] std::string program_version();
 [[nodiscard]] std::string compiler_name();

@@ -34,9 +34,15 @@ bool is_same_case(const std::string& directory, const Case& c) {
     }
 }
 
+/// A value of run.csv; "" where there is none, as in a run that has not come to its end.
 std::string value_of(const std::string& directory, const std::string& name) {
-    for (const RunValue& value : read_values(directory + "/run.csv"))
-        if (value.name == name) return value.value;
+    const std::string path = directory + "/run.csv";
+    if (!fs::exists(path)) return "";
+    try {
+        for (const RunValue& value : read_values(path))
+            if (value.name == name) return value.value;
+    } catch (const Error&) {  // damaged: the run begins anew
+    }
     return "";
 }
 

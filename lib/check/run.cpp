@@ -49,16 +49,6 @@ Series read_travel(const std::string& path) {
     return series;
 }
 
-std::vector<RunValue> read_values(const std::string& path) {
-    const CsvTable table = read_csv(path);
-    const std::size_t name = table.require("name");
-    const std::size_t value = table.require("value");
-    const std::size_t unit = table.require("unit");
-    std::vector<RunValue> values;
-    for (const auto& row : table.rows) values.push_back({row.cells[name], row.cells[value], row.cells[unit]});
-    return values;
-}
-
 }  // namespace
 
 std::string Run::text(const std::string& value_name) const {
@@ -79,6 +69,22 @@ std::string capitalised(std::string word) {
 std::string to_text(const Condition& condition) {
     return fmt::format("{}, {}, {:g} N, slip {:g} %", condition.wheel, capitalised(condition.gravity), condition.load_N,
                        condition.slip_percent);
+}
+
+std::string to_csv(const std::vector<RunValue>& values) {
+    std::string text = csv_line({"name", "value", "unit"});
+    for (const RunValue& v : values) text += csv_line({v.name, v.value, v.unit});
+    return text;
+}
+
+std::vector<RunValue> read_values(const std::string& path) {
+    const CsvTable table = read_csv(path);
+    const std::size_t name = table.require("name");
+    const std::size_t value = table.require("value");
+    const std::size_t unit = table.require("unit");
+    std::vector<RunValue> values;
+    for (const auto& row : table.rows) values.push_back({row.cells[name], row.cells[value], row.cells[unit]});
+    return values;
 }
 
 Run read_run(const std::string& directory) {

@@ -7,7 +7,7 @@
 
 namespace ifedem {
 
-/// The travel stage of series.csv, a column a name. Columns that are not numbers are left out.
+/// The travel stage of series.csv, a column a name; the column `stage` is left out.
 using Series = std::map<std::string, std::vector<double>>;
 
 /// One line of run.csv.
@@ -46,6 +46,12 @@ struct Condition {
 
 /// "Earth" for "earth".
 [[nodiscard]] std::string capitalised(std::string word);
+
+/// "name,value,unit" and a line each, quoted where it has to be: run.csv, and the stage.csv of a finished stage.
+[[nodiscard]] std::string to_csv(const std::vector<RunValue>& values);
+
+/// The same read back. Throws Error(io) for a missing file, Error(bad_input) for a faulty one.
+[[nodiscard]] std::vector<RunValue> read_values(const std::string& path);
 
 /// Reads case.toml, series.csv and run.csv. Throws Error(io) for a missing file, Error(bad_input) for a faulty one.
 [[nodiscard]] Run read_run(const std::string& directory);
