@@ -189,8 +189,12 @@ bool run_stage(LiveRun& run, Stage stage) {
             add_soil_frame(run.request.directory, state.soil, static_cast<double>(state.progress.step) * dt,
                            scene.soil.columns);
     };
-    if (recorded && scene.has_soil_elements() && state.progress.step > 0)
-        drop_soil_frames_after(run.request.directory, static_cast<double>(state.progress.step) * dt);
+    if (recorded && scene.has_soil_elements()) {
+        if (state.progress.step == 0)
+            start_soil_frames(run.request.directory);  // a run taken up before its travel may have left some
+        else
+            drop_soil_frames_after(run.request.directory, static_cast<double>(state.progress.step) * dt);
+    }
     if (recorded && state.progress.step == 0) add_frame();
     const std::uint64_t offset = state.progress.step;
     const std::uint64_t already = run.steps_made;

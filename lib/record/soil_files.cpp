@@ -1,15 +1,18 @@
 #include "record/soil_files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <span>
 
 #include "core/error.hpp"
 #include "coupling/attached_discs.hpp"
+#include "record/files.hpp"
 #include "record/results.hpp"
 #include "step/fields.hpp"
 #include "step/scene.hpp"
@@ -56,7 +59,7 @@ std::string stress_csv(const Scene& scene, const State& state, const Workspace& 
 
 namespace {
 
-constexpr const char* header = "time_s,what,block,x0_m,y0_m,x1_m,y1_m,x2_m,y2_m,x3_m,y3_m";
+const std::string header = "time_s,what,block,x0_m,y0_m,x1_m,y1_m,x2_m,y2_m,x3_m,y3_m\n";
 
 std::string path_of(const std::string& directory) { return directory + "/soil.csv"; }
 
@@ -78,26 +81,43 @@ std::string soil_lines(const SoilState& soil, double time_s, std::uint32_t colum
     return text;
 }
 
-bool is_at_most(const std::string& line, double time_s) { return std::strtod(line.c_str(), nullptr) <= time_s + 1e-9; }
+/// A line's time is rounded to its last digit, so half of that is allowed.
+bool is_at_most(const std::string& line, double time_s) {
+    return std::strtod(line.c_str(), nullptr) <= time_s + 5.1e-7;
+}
+
+/// Length in bytes of the header and of the whole lines up to a time.
+std::size_t kept_size(const std::string& path, double time_s) {
+    const std::vector<std::byte> bytes = read_whole_file(path);
+    std::string text(bytes.size(), '\0');
+    std::transform(bytes.begin(), bytes.end(), text.begin(), [](std::byte b) { return static_cast<char>(b); });
+    if (!text.starts_with(header))
+        fail_io("'" + path +
+                "' is not of this program (its first line differs). Start the run again in a new directory?");
+    std::size_t at = header.size();
+    for (std::size_t end = text.find('\n', at); end != std::string::npos; end = text.find('\n', at)) {
+        if (!is_at_most(text.substr(at, end - at), time_s)) break;
+        at = end + 1;
+    }
+    return at;
+}
 
 }  // namespace
 
+void start_soil_frames(const std::string& directory) { write_file_atomically(path_of(directory), header); }
+
 void add_soil_frame(const std::string& directory, const SoilState& soil, double time_s, std::uint32_t columns) {
-    const std::string path = path_of(directory);
-    std::error_code none;
-    const bool fresh = !std::filesystem::exists(path, none);
-    std::ofstream file(path, std::ios::app);
-    if (fresh) file << header << '\n';
-    file << soil_lines(soil, time_s, columns) << std::flush;
-    if (!file) fail_io("'" + path + "' could not be written (disk full?). Free some space and resume the run?");
+    const std::string lines = soil_lines(soil, time_s, columns);
+    OpenFile file(path_of(directory), O_WRONLY);
+    file.write_at(file.size(), std::as_bytes(std::span(lines)));
+    file.sync();
 }
 
 void drop_soil_frames_after(const std::string& directory, double time_s) {
-    std::ifstream file(path_of(directory));
-    std::string line, kept;
-    for (bool first = true; std::getline(file, line); first = false)
-        if (first || is_at_most(line, time_s)) kept += line + "\n";
-    write_file_atomically(path_of(directory), kept);
+    const std::size_t kept = kept_size(path_of(directory), time_s);
+    OpenFile file(path_of(directory), O_WRONLY);
+    file.truncate(kept);
+    file.sync();
 }
 
 SoilOutline read_soil_outline(const std::string& directory, double time_s) {

@@ -20,10 +20,14 @@ struct Workspace;  // step/scene.hpp
 // soil.csv of a run directory stands beside the frames of results.h5: a line for every element ("element", block, four
 // corners) and every attached disc ("attached", block, centre, radius) at each frame's time.
 
-/// Appends the lines of one frame. Throws Error(io).
+/// Begins the file anew, without frames. Throws Error(io).
+void start_soil_frames(const std::string& directory);
+
+/// Appends the lines of one frame; they are on the disk when it returns. Throws Error(io).
 void add_soil_frame(const std::string& directory, const SoilState& soil, double time_s, std::uint32_t columns);
 
-/// For a run that goes on from an earlier time. Throws Error(io).
+/// For a run that goes on from an earlier time: what is later goes, and a line that was cut short. Throws Error(io),
+/// also if the file is missing.
 void drop_soil_frames_after(const std::string& directory, double time_s);
 
 /// Elements and attached discs as drawn.
