@@ -283,6 +283,16 @@ void print_profile(const Profile& profile, double cpu_s) {
                100 * (cpu_s - steps_s) / cpu_s);
 }
 
+/// The pictures of a whole run. They can be drawn at any time, so that a lack of gnuplot or of space is not the run's.
+void draw_last_frame(const std::string& directory) {
+    try {
+        draw_pictures(directory, directory, -1);
+    } catch (const Error& error) {
+        fmt::print(stderr, "note: {} The run is whole without its pictures; `ifedem picture {} -o {}` draws them.\n",
+                   error.what(), directory, directory);
+    }
+}
+
 int finish(LiveRun& run) {
     const Spent spent = measure_spent(run);
     const std::string hash = to_hex(hash_state(run.state));
@@ -305,7 +315,7 @@ int finish(LiveRun& run) {
         write_contact_stress(run.request.directory, run.c, run.state.stress);
         if (has_soil_elements(run.state))
             write_file_atomically(run.request.directory + "/conversions.csv", conversions_csv(run.state.soil));
-        draw_pictures(run.request.directory, run.request.directory, -1);
+        draw_last_frame(run.request.directory);
         std::error_code ignored;
         fs::remove(checkpoint_path(run), ignored);  // the run is whole: nothing is left to go on from
     }

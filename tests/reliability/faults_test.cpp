@@ -112,6 +112,15 @@ protected:
         return runs.end_fault(name, "whole");
     }
 
+    /// A whole run without its pictures: the command that its note names draws them, and it ends like the whole one.
+    [[nodiscard]] std::string lost_picture_fault(const std::string& name) const {
+        const std::string directory = runs.directory(name);
+        if (fs::exists(directory + "/checkpoint.h5")) return "checkpoint left";
+        const Outcome end = Program({"picture", directory, "-o", directory}, runs.log(name)).wait();
+        if (end.status != 0) return "exit " + std::to_string(end.status) + ": " + end.errors;
+        return runs.end_fault(name, "whole");
+    }
+
     Runs runs;
     double duration_s = 0;
 };
@@ -295,6 +304,20 @@ std::string full_disk_fault(const Runs& runs, const std::string& name, const Out
     return runs.file_fault(name);
 }
 
+/// The run is whole, but gnuplot is missing or could not write.
+bool lacks_picture(const Outcome& outcome) {
+    return outcome.status == 0 && outcome.errors.find("`ifedem picture") != std::string::npos;
+}
+
+TEST_F(Faults, GnuplotIsMissing) {
+    const auto prepare = [] { setenv("PATH", "/none", 1); };
+    const Outcome outcome = Program(runs.run_arguments("plain"), runs.log("plain"), prepare).wait();
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_TRUE(lacks_picture(outcome)) << outcome.errors;
+    EXPECT_FALSE(fs::exists(runs.directory("plain/snapshot.png")));
+    EXPECT_EQ(lost_picture_fault("plain"), "");
+}
+
 /// Without privileges: no file may grow past a limit, which write(2) reports like a full disk.
 TEST_F(Faults, NoFileMayGrow) {
     Tally tally("file size limit reached at a random place, then resume");
@@ -308,11 +331,8 @@ TEST_F(Faults, NoFileMayGrow) {
             setrlimit(RLIMIT_FSIZE, &both);
         };
         const Outcome outcome = Program(runs.run_arguments("full"), runs.log("full"), prepare).wait();
-        // With room for all but a picture, the run is whole and gnuplot says so.
-        const std::string reason = outcome.errors.find("gnuplot") != std::string::npos ? "free disk space" : "File too";
-        if (outcome.status != 0) {
-            tally.count(full_disk_fault(runs, "full", outcome, reason) + resume_fault("full"));
-        }
+        if (lacks_picture(outcome)) tally.count(lost_picture_fault("full"));
+        if (outcome.status != 0) tally.count(full_disk_fault(runs, "full", outcome, "File too") + resume_fault("full"));
         runs.remove("full");
     }
     EXPECT_EQ(tally.tried(), wanted);
@@ -351,11 +371,11 @@ TEST_F(Faults, PrivilegedFullDisk) {
         SmallDisk disk(runs.directory("full"));
         ASSERT_TRUE(disk.set_size(page * (2 + random.below(most / page))));
         const Outcome outcome = runs.start("full").wait();
-        if (outcome.status != 0) {
-            const bool picture = outcome.errors.find("gnuplot") != std::string::npos;
-            std::string trouble = full_disk_fault(runs, "full", outcome, picture ? "free disk space" : "No space left");
+        if (outcome.status != 0 || lacks_picture(outcome)) {
+            std::string trouble;
+            if (outcome.status != 0) trouble = full_disk_fault(runs, "full", outcome, "No space left");
             ASSERT_TRUE(disk.set_size(100 * most));
-            tally.count(trouble + resume_fault("full"));
+            tally.count(trouble + (outcome.status != 0 ? resume_fault("full") : lost_picture_fault("full")));
         }
         fs::remove_all(runs.directory("full-stages"));
     }
