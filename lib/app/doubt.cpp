@@ -52,10 +52,10 @@ struct Table {
 };
 
 void add_variant(Table& table, const std::vector<Variant>& variants, const std::vector<MeasuredVariant>& measured,
-                 std::size_t v, const std::vector<Quantity>& quantities, double tolerance) {
+                 std::size_t v, const std::vector<ComparedMetric>& quantities, double tolerance) {
     const std::string changes = describe_settings(variants[0].c, variants[v].c);
     const std::string cost = describe_cost(variants[v].c, variants[0].c);
-    for (const Quantity& q : quantities) {
+    for (const ComparedMetric& q : quantities) {
         std::vector<std::string> cells = {variants[v].name, changes, q.name, std::string(q.metric->unit)};
         if (measured[v].metrics.empty()) {
             cells.insert(cells.end(), {"0", "", "", "", "", "", "not run", "", cost, measured[v].note});
@@ -79,7 +79,7 @@ void add_variant(Table& table, const std::vector<Variant>& variants, const std::
 }  // namespace
 
 int run_doubt(const DoubtRequest& request) {
-    const std::vector<Quantity> quantities = parse_quantities(request.quantities);
+    const std::vector<ComparedMetric> quantities = parse_quantities(request.quantities);
     const double tolerance = parse_tolerance(request.tolerance);
     const Case original = read_case(request.case_path, request.overrides);
     const std::vector<Variant> variants = list_variants(original);

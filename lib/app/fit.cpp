@@ -62,11 +62,11 @@ std::vector<Reduction> parse_reductions(const std::string& text, const Case& c) 
     return reductions;
 }
 
-Evidence parse_evidence(const std::string& text) {
-    if (text == "shown") return Evidence::shown;
+DifferenceEvidence parse_evidence(const std::string& text) {
+    if (text == "shown") return DifferenceEvidence::shown;
     if (text != "mean")
         fail_input(fmt::format("--evidence {} is no rule (there are shown and mean). Choose one of them?", text));
-    return Evidence::mean;
+    return DifferenceEvidence::mean;
 }
 
 /// What is left of the case, and of what there is less: "step-0.5_depth-0.25".
@@ -84,9 +84,9 @@ struct Decision {
 struct Fit {
     const FitRequest& request;
     VariantRequest runs;
-    std::vector<Quantity> quantities;
+    std::vector<ComparedMetric> quantities;
     double tolerance = 0;
-    Evidence evidence = Evidence::shown;
+    DifferenceEvidence evidence = DifferenceEvidence::shown;
     Case original;
     Kept kept;
     std::vector<RunMetrics> original_metrics;
@@ -95,9 +95,9 @@ struct Fit {
     [[nodiscard]] double cost_of(const Case& c) const { return count_disc_steps(c) / count_disc_steps(original); }
 };
 
-std::string header_of(const std::vector<Quantity>& quantities) {
+std::string header_of(const std::vector<ComparedMetric>& quantities) {
     std::string text = "trial,changes,n,disc_steps,relative_cost,decision";
-    for (const Quantity& q : quantities)
+    for (const ComparedMetric& q : quantities)
         text += fmt::format(",{0},{0}_difference,{0}_half_width,{0}_tolerance", q.name);
     return text + "\n";
 }
@@ -110,7 +110,7 @@ void log_trial(Fit& fit, const Variant& trial, const std::vector<RunMetrics>& me
                                       format_number(count_disc_steps(trial.c)),
                                       format_number(fit.cost_of(trial.c)),
                                       decision};
-    for (const Quantity& q : fit.quantities) {
+    for (const ComparedMetric& q : fit.quantities) {
         if (metrics.empty()) {
             cells.insert(cells.end(), 4, "");
             continue;
@@ -158,14 +158,14 @@ std::string find_obstacle(const Fit& fit, const Variant& trial) {
 
 Decision decide(const Fit& fit, const std::vector<RunMetrics>& metrics) {
     std::string too_far, not_shown;
-    for (const Quantity& q : fit.quantities) {
+    for (const ComparedMetric& q : fit.quantities) {
         const Difference d = find_difference(fit.original_metrics, metrics, q, fit.tolerance);
-        if (is_small(d, Evidence::shown)) continue;
-        (is_small(d, Evidence::mean) ? not_shown : too_far) += " " + q.name;
+        if (is_small(d, DifferenceEvidence::shown)) continue;
+        (is_small(d, DifferenceEvidence::mean) ? not_shown : too_far) += " " + q.name;
     }
     if (!too_far.empty()) return {Trial::refused, "refused: mean beyond the tolerance:" + too_far};
     if (not_shown.empty()) return {Trial::kept, "kept"};
-    if (fit.evidence == Evidence::mean) return {Trial::kept, "kept by the mean, not shown:" + not_shown};
+    if (fit.evidence == DifferenceEvidence::mean) return {Trial::kept, "kept by the mean, not shown:" + not_shown};
     return {Trial::refused, "refused: not shown to be within it:" + not_shown};
 }
 
@@ -194,9 +194,9 @@ Trial try_reduction(Fit& fit, const Reduction& reduction, const Kept& before, do
 
 /// Where packings alone scatter more than the tolerance, nothing can be shown; said before the work begins.
 void warn_of_scatter(const Fit& fit) {
-    for (const Quantity& q : fit.quantities) {
+    for (const ComparedMetric& q : fit.quantities) {
         const Difference d = expect_no_difference(fit.original_metrics, q, fit.tolerance);
-        if (is_small(d, Evidence::shown)) continue;
+        if (is_small(d, DifferenceEvidence::shown)) continue;
         fmt::print(stderr,
                    "{}: two beds of one case differ by 0 ± {:.3g} {} in the mean of {} realisations, more than the "
                    "tolerance of {:.3g}: little can be shown there. Give about --n {:.0f}, a larger --tolerance, or "
@@ -234,7 +234,7 @@ void refuse_output(const FitRequest& request) {
 int run_fit(const FitRequest& request) {
     refuse_output(request);
     const Case original = read_case(request.case_path, request.overrides);
-    const std::vector<Quantity> quantities = parse_quantities(request.quantities);
+    const std::vector<ComparedMetric> quantities = parse_quantities(request.quantities);
     Fit fit{request,
             {request.case_path, without_extension(request.output) + "-runs", original, request.realisations,
              request.options},

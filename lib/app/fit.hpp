@@ -13,7 +13,7 @@ struct FitRequest {
     std::vector<Override> overrides;
     std::string quantities = "H,Pd,R,z";
     std::string tolerance = "5%";
-    std::string evidence = "shown";                           ///< or "mean": enum Evidence
+    std::string evidence = "shown";                           ///< or "mean": enum DifferenceEvidence
     std::string reductions = "step,depth,behind,ahead,mesh";  ///< what may be less, in this order
     int realisations = 3;
     RunSetOptions options;

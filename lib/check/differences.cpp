@@ -24,7 +24,7 @@ std::string list_names() {
     return names;
 }
 
-std::vector<double> collect(std::span<const RunMetrics> runs, const Quantity& quantity) {
+std::vector<double> collect(std::span<const RunMetrics> runs, const ComparedMetric& quantity) {
     std::vector<double> values;
     for (const RunMetrics& run : runs) values.push_back(run.*quantity.metric->member);
     return values;
@@ -32,8 +32,8 @@ std::vector<double> collect(std::span<const RunMetrics> runs, const Quantity& qu
 
 }  // namespace
 
-std::vector<Quantity> parse_quantities(const std::string& text) {
-    std::vector<Quantity> quantities;
+std::vector<ComparedMetric> parse_quantities(const std::string& text) {
+    std::vector<ComparedMetric> quantities;
     for (const std::string& name : split(text, ',')) {
         std::string_view metric = name;
         for (const ShortName& known : short_names)
@@ -58,13 +58,13 @@ double parse_tolerance(const std::string& text) {
 }
 
 Difference find_difference(std::span<const RunMetrics> before, std::span<const RunMetrics> after,
-                           const Quantity& quantity, double tolerance) {
+                           const ComparedMetric& quantity, double tolerance) {
     const std::vector<double> a = collect(before, quantity), b = collect(after, quantity);
     const double from = mean(a);
     return {from, mean(b), paired_difference(a, b), tolerance * std::abs(from)};
 }
 
-Difference expect_no_difference(std::span<const RunMetrics> runs, const Quantity& quantity, double tolerance) {
+Difference expect_no_difference(std::span<const RunMetrics> runs, const ComparedMetric& quantity, double tolerance) {
     const std::vector<double> values = collect(runs, quantity);
     const auto n = static_cast<double>(values.size());
     const double half_width = student_t_quantile(0.975, n - 1) * standard_deviation(values) * std::sqrt(2 / n);
@@ -83,8 +83,8 @@ std::string_view to_text(Movement movement) {
     return words[static_cast<std::size_t>(movement)];
 }
 
-bool is_small(const Difference& difference, Evidence evidence) {
-    const double doubt = evidence == Evidence::shown ? difference.paired.half_width : 0;
+bool is_small(const Difference& difference, DifferenceEvidence evidence) {
+    const double doubt = evidence == DifferenceEvidence::shown ? difference.paired.half_width : 0;
     return std::abs(difference.paired.mean) + doubt <= difference.tolerance;
 }
 

@@ -9,13 +9,13 @@
 namespace ifedem {
 
 /// A window mean by its short name: H, Pd, R, z, or a metric's own ("torque_Nm").
-struct Quantity {
+struct ComparedMetric {
     std::string name;
     const MetricInfo* metric = nullptr;
 };
 
 /// "H,Pd,z". Throws Error(bad_input), listing what there is.
-[[nodiscard]] std::vector<Quantity> parse_quantities(const std::string& text);
+[[nodiscard]] std::vector<ComparedMetric> parse_quantities(const std::string& text);
 
 /// "5%" → 0.05, more than 0 and less than 100 %. Throws Error(bad_input).
 [[nodiscard]] double parse_tolerance(const std::string& text);
@@ -29,11 +29,11 @@ struct Difference {
 
 /// Needs equally many runs on both sides, in the same order; `tolerance` as a share.
 [[nodiscard]] Difference find_difference(std::span<const RunMetrics> before, std::span<const RunMetrics> after,
-                                         const Quantity& quantity, double tolerance);
+                                         const ComparedMetric& quantity, double tolerance);
 
 /// What to expect of a change without effect whose beds are other packings: 0 ± t s √(2/n), with the scatter s of n
 /// runs.
-[[nodiscard]] Difference expect_no_difference(std::span<const RunMetrics> runs, const Quantity& quantity,
+[[nodiscard]] Difference expect_no_difference(std::span<const RunMetrics> runs, const ComparedMetric& quantity,
                                               double tolerance);
 
 /// "Within scatter" as everywhere: the interval contains 0 and is narrower than the tolerance. It moves if the interval
@@ -48,8 +48,8 @@ enum class Movement { moves, within_scatter, cannot_tell };
 /// `mean`: |mean| ≤ tolerance. That is what a few realisations can give where the scatter between packings exceeds the
 /// tolerance. It shows nothing, but scatter does not help to pass it either: rules such as |mean| − half-width ≤
 /// tolerance let everything pass that scatters enough.
-enum class Evidence { shown, mean };
-[[nodiscard]] bool is_small(const Difference& difference, Evidence evidence);
+enum class DifferenceEvidence { shown, mean };
+[[nodiscard]] bool is_small(const Difference& difference, DifferenceEvidence evidence);
 
 /// How many realisations would narrow the interval to the tolerance, if the differences scatter as these do; infinite
 /// for a tolerance of 0.

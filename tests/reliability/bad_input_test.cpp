@@ -42,11 +42,11 @@ std::vector<std::string> lines_of(const std::string& text) {
 /// Counts the handwritten cases of all tests together.
 class BadInput : public testing::Test {
 protected:
-    static void SetUpTestSuite() { tally = std::make_unique<Tally>("bad case file: its line and a remedy"); }
+    static void SetUpTestSuite() { tally = std::make_unique<FaultTally>("bad case file: its line and a remedy"); }
     static void TearDownTestSuite() { tally.reset(); }
-    static std::unique_ptr<Tally> tally;
+    static std::unique_ptr<FaultTally> tally;
 };
-std::unique_ptr<Tally> BadInput::tally;
+std::unique_ptr<FaultTally> BadInput::tally;
 
 struct BadCase {
     std::string text;
@@ -54,7 +54,7 @@ struct BadCase {
 };
 
 /// Each text has one fault, reported with its place and a way out.
-void expect_faults(Tally& tally, const std::vector<BadCase>& cases) {
+void expect_faults(FaultTally& tally, const std::vector<BadCase>& cases) {
     for (const BadCase& bad : cases) {
         const std::string fault = fault_of(bad.text);
         const bool good = fault.starts_with(bad.fault) && lines_of(fault).size() == 1 && fault.ends_with('?');

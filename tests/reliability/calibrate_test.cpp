@@ -21,8 +21,8 @@ const std::string sand = IFEDEM_SOURCE_DIR "/tests/tutorial/sand.toml";
 
 class Calibrate : public testing::Test {
 protected:
-    [[nodiscard]] Outcome run(const std::string& path, const std::string& output,
-                              const std::vector<std::string>& more) const {
+    [[nodiscard]] ProgramEnd run(const std::string& path, const std::string& output,
+                                 const std::vector<std::string>& more) const {
         std::vector<std::string> command = {"calibrate", path, "-o", scratch.file(output), "--quick", "--n", "1"};
         command.insert(command.end(), more.begin(), more.end());
         return Program(command, scratch.file("log")).wait();
@@ -39,7 +39,7 @@ protected:
         return scratch.file("case.toml");
     }
     void expect_refused(const std::string& text, const std::string& message) const {
-        const Outcome outcome = run(write_case(text), "refused", {});
+        const ProgramEnd outcome = run(write_case(text), "refused", {});
         EXPECT_EQ(outcome.status, 2);
         EXPECT_NE(outcome.errors.find(message), std::string::npos) << outcome.errors;
         EXPECT_FALSE(fs::exists(scratch.file("refused")));
@@ -49,7 +49,7 @@ protected:
 };
 
 TEST_F(Calibrate, MeasuresTheSameOnAnyNumberOfThreadsAndAnswersToAlpha) {
-    const Outcome one = run(sand, "one", {"--jobs", "1"}), two = run(sand, "two", {"--jobs", "2"});
+    const ProgramEnd one = run(sand, "one", {"--jobs", "1"}), two = run(sand, "two", {"--jobs", "2"});
     ASSERT_EQ(one.status, 0) << one.errors;
     ASSERT_EQ(two.status, 0) << two.errors;
     for (const char* file : {"realisations.csv", "measurements.csv", "figures/box.csv", "figures/heap.csv"}) {
@@ -64,7 +64,7 @@ TEST_F(Calibrate, MeasuresTheSameOnAnyNumberOfThreadsAndAnswersToAlpha) {
     EXPECT_NE(read_text(scratch.file("one/index.html")).find("cannot tell: more realisations"), std::string::npos);
     EXPECT_TRUE(fs::exists(scratch.file("one/report.md")));
 
-    const Outcome smooth = run(sand, "smooth", {"--set", "contact.rolling_factor=0", "--jobs", "2"});
+    const ProgramEnd smooth = run(sand, "smooth", {"--set", "contact.rolling_factor=0", "--jobs", "2"});
     ASSERT_EQ(smooth.status, 0) << smooth.errors;
     const std::map<std::string, double> rolling_free = measured("smooth");
     EXPECT_LT(rolling_free.at("friction_angle"), values.at("friction_angle") - 10);

@@ -23,7 +23,7 @@ const std::string tiny = IFEDEM_SOURCE_DIR "/tests/reliability/tiny.toml";
 
 class Variants : public testing::Test {
 protected:
-    [[nodiscard]] Outcome run(std::vector<std::string> command) const {
+    [[nodiscard]] ProgramEnd run(std::vector<std::string> command) const {
         // Faster than the file: its numbers need not mean anything, and a smooth tread needs no pitch in the window.
         for (const char* setting : {"wheel.lug_pairs=0", "bed.disc_count=200", "record.frame_interval_s=0"})
             command.insert(command.end(), {"--set", setting});
@@ -63,7 +63,7 @@ struct Table {
 
 TEST_F(Variants, DoubtSaysWhatTheRunsSay) {
     const std::vector<std::string> command = {"doubt", tiny, "-o", scratch.file("doubt"), "--quantities", "z,H"};
-    const Outcome first = run(command);
+    const ProgramEnd first = run(command);
     ASSERT_EQ(first.status, 0) << first.errors;
     const Table table{read_csv(scratch.file("doubt/doubt.csv"))};
     const std::vector<std::string> names = {"depth", "length", "discs", "mesh", "step"};
@@ -90,7 +90,7 @@ TEST_F(Variants, DoubtSaysWhatTheRunsSay) {
     const auto before_again = ends("doubt");
     EXPECT_EQ(before_again.size(), 12U);
     const std::string text = read_text(scratch.file("doubt/doubt.csv"));
-    const Outcome second = run(command);
+    const ProgramEnd second = run(command);
     EXPECT_EQ(second.status, 0) << second.errors;
     EXPECT_NE(second.errors.find("12 runs, 12 of them complete already"), std::string::npos) << second.errors;
     EXPECT_EQ(ends("doubt"), before_again);
@@ -105,7 +105,7 @@ TEST_F(Variants, FitKeepsWhatItsLogSays) {
                                               "--tolerance",  "15%",
                                               "--only",       "step,ahead",
                                               "--set",        "time_step_s=1e-4"};
-    const Outcome first = run(command);
+    const ProgramEnd first = run(command);
     ASSERT_EQ(first.status, 0) << first.errors;
     const Table log{read_csv(scratch.file("small.csv"))};
     EXPECT_EQ(log.text(0, "trial"), "original");
@@ -155,7 +155,7 @@ TEST_F(Variants, SayWhatIsWrongBeforeTheyWrite) {
         for (const Bad& b : bad) {
             std::vector<std::string> arguments = {command, tiny, "-o", out, "--set", "wheel.lug_pairs=0"};
             arguments.insert(arguments.end(), b.options.begin(), b.options.end());
-            const Outcome outcome = Program(arguments, scratch.file("log")).wait();
+            const ProgramEnd outcome = Program(arguments, scratch.file("log")).wait();
             EXPECT_EQ(outcome.status, 2) << command << outcome.errors;
             EXPECT_NE(outcome.errors.find(b.named), std::string::npos) << outcome.errors;
         }

@@ -106,7 +106,7 @@ protected:
     [[nodiscard]] std::string resume_fault(const std::string& name) const {
         // Nothing can be resumed before there is a case; then the same command works again.
         const bool begun = fs::exists(runs.directory(name) + "/case.toml");
-        const Outcome end = (begun ? runs.resume(name) : runs.start(name)).wait();
+        const ProgramEnd end = (begun ? runs.resume(name) : runs.start(name)).wait();
         if (end.status != 0 || end.errors.find("begins anew") != std::string::npos)
             return "exit " + std::to_string(end.status) + ": " + end.errors;
         return runs.end_fault(name, "whole");
@@ -116,7 +116,7 @@ protected:
     [[nodiscard]] std::string lost_picture_fault(const std::string& name) const {
         const std::string directory = runs.directory(name);
         if (fs::exists(directory + "/checkpoint.h5")) return "checkpoint left";
-        const Outcome end = Program({"picture", directory, "-o", directory}, runs.log(name)).wait();
+        const ProgramEnd end = Program({"picture", directory, "-o", directory}, runs.log(name)).wait();
         if (end.status != 0) return "exit " + std::to_string(end.status) + ": " + end.errors;
         return runs.end_fault(name, "whole");
     }
@@ -126,7 +126,7 @@ protected:
 };
 
 TEST_F(Faults, KilledAtRandomMoments) {
-    Tally tally("SIGKILL at a random moment, then resume");
+    FaultTally tally("SIGKILL at a random moment, then resume");
     Random random{1};
     const int wanted = trials(100, 6);
     for (int tries = 0; tally.tried() < wanted && tries < 20 * wanted; ++tries) {
@@ -149,7 +149,7 @@ TEST_F(Faults, KilledAtRandomMoments) {
 }
 
 TEST_F(Faults, AskedToStopAtRandomMoments) {
-    Tally tally("SIGTERM or SIGINT: checkpoint within a second and exit 143 or 130, then resume");
+    FaultTally tally("SIGTERM or SIGINT: checkpoint within a second and exit 143 or 130, then resume");
     Random random{2};
     const int wanted = trials(50, 4);
     for (int tries = 0; tally.tried() < wanted && tries < 20 * wanted; ++tries) {
@@ -158,7 +158,7 @@ TEST_F(Faults, AskedToStopAtRandomMoments) {
         sleep_s(draw_share(random) * duration_s);
         const Clock::time_point begin = Clock::now();
         program.send(signal);
-        const Outcome outcome = program.wait();
+        const ProgramEnd outcome = program.wait();
         if (outcome.status != 0) {  // else it was past its last step
             std::string trouble = runs.file_fault("stopped");
             if (seconds_since(begin) > 1) trouble += "took longer than a second; ";
@@ -215,7 +215,8 @@ enum class Allowed { nothing, same_data };
 
 /// Flips one bit after another in a copy of the file. `allowed`: whether it may be read if what is read is right.
 template <class Read>
-void flip_bits(Tally& tally, const std::string& path, int times, Allowed allowed, const Read& read, Random& random) {
+void flip_bits(FaultTally& tally, const std::string& path, int times, Allowed allowed, const Read& read,
+               Random& random) {
     const std::string good = read_text(path), expected = read(path);
     for (int n = 0; n < times; ++n) {
         std::string bytes = good;
@@ -237,23 +238,23 @@ TEST_F(Faults, FlippedBits) {
     Random random{3};
     const std::string whole = runs.directory("whole/results.h5");
     {
-        Tally tally("one bit flipped in a finished results.h5");
+        FaultTally tally("one bit flipped in a finished results.h5");
         flip_bits(tally, whole, trials(400, 100), Allowed::nothing, read_all_frames, random);
     }
     std::vector<std::string> arguments = runs.run_arguments("part");
     arguments.insert(arguments.end(), {"--stop-at-step", "10800"});
     ASSERT_EQ(Program(arguments, runs.log("part")).wait().status, 0);
     {
-        Tally tally("one bit flipped in a checkpoint");
+        FaultTally tally("one bit flipped in a checkpoint");
         flip_bits(tally, runs.directory("part/checkpoint.h5"), trials(300, 50), Allowed::nothing, read_checkpoint_hash,
                   random);
     }
-    Tally tally("one bit flipped in an unfinished results.h5 (refused or beside the data)");
+    FaultTally tally("one bit flipped in an unfinished results.h5 (refused or beside the data)");
     flip_bits(tally, runs.directory("part/results.h5"), trials(300, 50), Allowed::same_data, read_all_frames, random);
 }
 
 TEST_F(Faults, FilesCutOff) {
-    Tally tally("results.h5 cut off at a random place");
+    FaultTally tally("results.h5 cut off at a random place");
     Random random{4};
     const std::string path = runs.directory("whole/results.h5"), good = read_text(path);
     for (int n = 0; n < trials(100, 20); ++n) {
@@ -273,7 +274,7 @@ TEST_F(Faults, ADamagedStageIsSimulatedAnew) {
         if (entry.path().filename() == "checkpoint.h5") fs::resize_file(entry.path(), fs::file_size(entry.path()) / 2);
     }
     fs::rename(runs.directory("whole-stages"), runs.directory("again-stages"));
-    const Outcome outcome = runs.start("again").wait();
+    const ProgramEnd outcome = runs.start("again").wait();
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.errors.find("The stage is simulated anew."), std::string::npos) << outcome.errors;
     EXPECT_EQ(runs.end_fault("again", "whole"), "");
@@ -285,7 +286,7 @@ TEST_F(Faults, ADamagedRunBeginsAnew) {
         arguments.insert(arguments.end(), {"--stop-at-step", "10800"});
         ASSERT_EQ(Program(arguments, runs.log("part")).wait().status, 0);
         fs::resize_file(runs.directory("part/" + file), fs::file_size(runs.directory("part/" + file)) - 1);
-        const Outcome outcome = runs.resume("part").wait();
+        const ProgramEnd outcome = runs.resume("part").wait();
         EXPECT_EQ(outcome.status, 0) << outcome.errors;
         EXPECT_NE(outcome.errors.find(file), std::string::npos) << outcome.errors;
         EXPECT_NE(outcome.errors.find("The run begins anew."), std::string::npos) << outcome.errors;
@@ -297,7 +298,7 @@ TEST_F(Faults, ADamagedRunBeginsAnew) {
 // ---- no space ------------------------------------------------------------------------------------------------------
 
 /// The run `name` met a full disk. What is wrong with how it took it?
-std::string full_disk_fault(const Runs& runs, const std::string& name, const Outcome& outcome,
+std::string full_disk_fault(const Runs& runs, const std::string& name, const ProgramEnd& outcome,
                             const std::string& reason) {
     if (outcome.status != 4) return "exit " + std::to_string(outcome.status) + ": " + outcome.errors;
     if (outcome.errors.find(reason) == std::string::npos) return "unclear message: " + outcome.errors;
@@ -305,13 +306,13 @@ std::string full_disk_fault(const Runs& runs, const std::string& name, const Out
 }
 
 /// The run is whole, but gnuplot is missing or could not write.
-bool lacks_picture(const Outcome& outcome) {
+bool lacks_picture(const ProgramEnd& outcome) {
     return outcome.status == 0 && outcome.errors.find("`ifedem picture") != std::string::npos;
 }
 
 TEST_F(Faults, GnuplotIsMissing) {
     const auto prepare = [] { setenv("PATH", "/none", 1); };
-    const Outcome outcome = Program(runs.run_arguments("plain"), runs.log("plain"), prepare).wait();
+    const ProgramEnd outcome = Program(runs.run_arguments("plain"), runs.log("plain"), prepare).wait();
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_TRUE(lacks_picture(outcome)) << outcome.errors;
     EXPECT_FALSE(fs::exists(runs.directory("plain/snapshot.png")));
@@ -320,7 +321,7 @@ TEST_F(Faults, GnuplotIsMissing) {
 
 /// Without privileges: no file may grow past a limit, which write(2) reports like a full disk.
 TEST_F(Faults, NoFileMayGrow) {
-    Tally tally("file size limit reached at a random place, then resume");
+    FaultTally tally("file size limit reached at a random place, then resume");
     Random random{5};
     const int wanted = trials(20, 4);
     for (int tries = 0; tally.tried() < wanted && tries < 20 * wanted; ++tries) {
@@ -330,7 +331,7 @@ TEST_F(Faults, NoFileMayGrow) {
             const rlimit both{limit, limit};
             setrlimit(RLIMIT_FSIZE, &both);
         };
-        const Outcome outcome = Program(runs.run_arguments("full"), runs.log("full"), prepare).wait();
+        const ProgramEnd outcome = Program(runs.run_arguments("full"), runs.log("full"), prepare).wait();
         if (lacks_picture(outcome)) tally.count(lost_picture_fault("full"));
         if (outcome.status != 0) tally.count(full_disk_fault(runs, "full", outcome, "File too") + resume_fault("full"));
         runs.remove("full");
@@ -363,14 +364,14 @@ private:
 TEST_F(Faults, PrivilegedFullDisk) {
     if (!SmallDisk(runs.directory("try")).set_size(4096))
         GTEST_SKIP() << "not run: mounting a file system needs privileges";
-    Tally tally("disk full at a random point, then resume with space");
+    FaultTally tally("disk full at a random point, then resume with space");
     Random random{6};
     const int wanted = trials(20, 20);
     constexpr std::uint64_t page = 4096, most = 900'000;
     for (int tries = 0; tally.tried() < wanted && tries < 20 * wanted; ++tries) {
         SmallDisk disk(runs.directory("full"));
         ASSERT_TRUE(disk.set_size(page * (2 + random.below(most / page))));
-        const Outcome outcome = runs.start("full").wait();
+        const ProgramEnd outcome = runs.start("full").wait();
         if (outcome.status != 0 || lacks_picture(outcome)) {
             std::string trouble;
             if (outcome.status != 0) trouble = full_disk_fault(runs, "full", outcome, "No space left");
@@ -385,14 +386,14 @@ TEST_F(Faults, PrivilegedFullDisk) {
 // ---- places --------------------------------------------------------------------------------------------------------
 
 TEST_F(Faults, TwoRunsIntoOneDirectory) {
-    Tally tally("two runs into one directory");
+    FaultTally tally("two runs into one directory");
     for (int n = 0; n < trials(10, 2); ++n) {
         const Program first = runs.start("shared");
         while (!fs::exists(runs.directory("shared/case.toml"))) sleep_s(1e-3);
         std::vector<std::string> forced = runs.run_arguments("shared");
         forced.emplace_back("--force");
-        const Outcome second = Program(forced, runs.log("second")).wait();
-        const Outcome third = Program(runs.resume_arguments("shared"), runs.log("third")).wait();
+        const ProgramEnd second = Program(forced, runs.log("second")).wait();
+        const ProgramEnd third = Program(runs.resume_arguments("shared"), runs.log("third")).wait();
         std::string trouble;
         if (second.status != 2 || second.errors.find("is in use") == std::string::npos)
             trouble += "run: " + std::to_string(second.status) + " " + second.errors;
@@ -411,7 +412,7 @@ void drop_privileges() {
 }
 
 TEST_F(Faults, PlacesThatCannotBeWritten) {
-    Tally tally("read-only directory, file or missing parent as output");
+    FaultTally tally("read-only directory, file or missing parent as output");
     Scratch scratch;
     fs::create_directory(scratch.file("read-only"));
     fs::permissions(scratch.path, fs::perms::others_exec | fs::perms::owner_all);
@@ -419,9 +420,10 @@ TEST_F(Faults, PlacesThatCannotBeWritten) {
     write_text(scratch.file("file"), "text");
     for (const std::string name : {"read-only/run", "read-only", "file", "file/run", "/proc/none/run"}) {
         const std::string place = name.starts_with("/") ? name : scratch.file(name);
-        const Outcome outcome = Program({"run", tiny_case, "-o", place, "--quiet", "--stages", scratch.file("stages")},
-                                        scratch.file("log"), drop_privileges)
-                                    .wait();
+        const ProgramEnd outcome =
+            Program({"run", tiny_case, "-o", place, "--quiet", "--stages", scratch.file("stages")}, scratch.file("log"),
+                    drop_privileges)
+                .wait();
         const bool clear = (outcome.status == 2 || outcome.status == 4) && outcome.errors.find(name) < 200 &&
                            std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1;
         tally.count(clear ? "" : name + ": exit " + std::to_string(outcome.status) + ", " + outcome.errors);
@@ -430,9 +432,9 @@ TEST_F(Faults, PlacesThatCannotBeWritten) {
 }
 
 TEST_F(Faults, PathsThatNeedQuotes) {
-    Tally tally("path with spaces, quotes and other letters");
+    FaultTally tally("path with spaces, quotes and other letters");
     for (const std::string name : {"with spaces", "it's \"quoted\"", "$(echo dollar) `x` ; &", "京都 Räder", "-o"}) {
-        const Outcome outcome = runs.start(name).wait();
+        const ProgramEnd outcome = runs.start(name).wait();
         tally.count(outcome.status == 0 ? runs.end_fault(name, "whole") : name + ": " + outcome.errors);
     }
 }
@@ -442,7 +444,7 @@ TEST_F(Faults, ForceEmptiesOnlyRuns) {
     write_text(runs.directory("home/thesis.txt"), "text");
     std::vector<std::string> forced = runs.run_arguments("home");
     forced.emplace_back("--force");
-    const Outcome outcome = Program(forced, runs.log("home")).wait();
+    const ProgramEnd outcome = Program(forced, runs.log("home")).wait();
     EXPECT_EQ(outcome.status, 2);
     EXPECT_NE(outcome.errors.find("holds no run"), std::string::npos) << outcome.errors;
     EXPECT_EQ(read_text(runs.directory("home/thesis.txt")), "text");

@@ -28,7 +28,7 @@ protected:
                 "--set",    "wheel.lug_pairs=0",
                 "--stages", scratch.file("stages")};
     }
-    [[nodiscard]] Outcome run(const std::vector<std::string>& command) const {
+    [[nodiscard]] ProgramEnd run(const std::vector<std::string>& command) const {
         return Program(command, scratch.file("log")).wait();
     }
     [[nodiscard]] std::string hash(const std::string& directory) const {
@@ -39,7 +39,7 @@ protected:
 };
 
 TEST_F(Sweep, GivesTheRunsOfSingleCommands) {
-    const Outcome first = run(arguments("20:60:40", "30,50"));
+    const ProgramEnd first = run(arguments("20:60:40", "30,50"));
     ASSERT_EQ(first.status, 0) << first.errors;
     ASSERT_EQ(run({"run", IFEDEM_SOURCE_DIR "/tests/reliability/tiny.toml", "-o", scratch.file("one"), "--quiet",
                    "--set", "wheel.lug_pairs=0", "--set", "wheel.load_N=50", "--set", "travel.slip_percent=60",
@@ -65,7 +65,7 @@ TEST_F(Sweep, GivesTheRunsOfSingleCommands) {
     EXPECT_EQ(read_text(scratch.file("sweep/load-30-slip-20/travel.gif")).substr(0, 6), "GIF89a");
 
     const auto before = fs::last_write_time(scratch.file("sweep/load-50-slip-60/run.csv"));
-    const Outcome again = run(arguments("20:60:40", "30,50"));
+    const ProgramEnd again = run(arguments("20:60:40", "30,50"));
     EXPECT_NE(again.errors.find("4 of them complete already"), std::string::npos) << again.errors;
     EXPECT_EQ(fs::last_write_time(scratch.file("sweep/load-50-slip-60/run.csv")), before);
 }
@@ -76,7 +76,7 @@ TEST_F(Sweep, GoesOnWhereItWasStopped) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     program.send(SIGTERM);
     EXPECT_EQ(program.wait().status, 143);
-    const Outcome second = run(arguments("20,60", "50"));
+    const ProgramEnd second = run(arguments("20,60", "50"));
     EXPECT_EQ(second.status, 0) << second.errors;
     EXPECT_NE(hash("sweep/load-50-slip-20"), "");
     EXPECT_NE(hash("sweep/load-50-slip-60"), "");
@@ -84,7 +84,7 @@ TEST_F(Sweep, GoesOnWhereItWasStopped) {
 
 TEST_F(Sweep, SaysWhatIsWrongBeforeItWrites) {
     for (const char* slips : {"a", "0:70", "0:70:0", "70:0:10", "1,,2", "0:1e9:1", "100"}) {
-        const Outcome outcome = run(arguments(slips, "50"));
+        const ProgramEnd outcome = run(arguments(slips, "50"));
         EXPECT_EQ(outcome.status, 2) << slips << ": " << outcome.errors;
         EXPECT_NE(outcome.errors.find(slips), std::string::npos) << outcome.errors;
     }

@@ -12,16 +12,16 @@ inline int trials(int full, int brief) { return std::getenv("IFEDEM_RELIABILITY_
 
 /// Counts how often a fault was survived. The line `fault,tried,survived` goes to the file named by
 /// IFEDEM_RELIABILITY_CSV, if any; a fault that was not survived fails the test.
-class Tally {
+class FaultTally {
 public:
-    explicit Tally(std::string fault) : fault_(std::move(fault)) {}
-    ~Tally() {
+    explicit FaultTally(std::string fault) : fault_(std::move(fault)) {}
+    ~FaultTally() {
         EXPECT_EQ(survived_, tried_) << fault_;
         if (const char* path = std::getenv("IFEDEM_RELIABILITY_CSV"))
             std::ofstream(path, std::ios::app) << fault_ << ',' << tried_ << ',' << survived_ << '\n';
     }
-    Tally(const Tally&) = delete;
-    Tally& operator=(const Tally&) = delete;
+    FaultTally(const FaultTally&) = delete;
+    FaultTally& operator=(const FaultTally&) = delete;
 
     /// `trouble` is what went wrong, or "".
     void count(const std::string& trouble) {

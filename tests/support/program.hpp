@@ -14,7 +14,7 @@
 namespace ifedem {
 
 /// How a program ended: its exit status, or 128 + the signal as a shell has it.
-struct Outcome {
+struct ProgramEnd {
     int status = 0;
     bool by_signal = false;
     std::string errors;  ///< what it printed to stderr
@@ -42,7 +42,7 @@ public:
         _exit(127);
     }
     void send(int signal) const { kill(child_, signal); }
-    [[nodiscard]] Outcome wait() const {
+    [[nodiscard]] ProgramEnd wait() const {
         int status = 0;
         waitpid(child_, &status, 0);
         const bool by_signal = WIFSIGNALED(status);

@@ -49,21 +49,21 @@ TEST(Differences, MoveStayOrCannotBeTold) {
 
 TEST(Differences, AreSmallOnlyIfShownUnlessTheMeanIsAskedFor) {
     const Difference small = compare_sinkages({-4, -5, -6}, {-4.10, -5.11, -6.12}, 0.05);  // 0.11 ± 0.025 of 0.25
-    EXPECT_TRUE(is_small(small, Evidence::shown));
-    EXPECT_TRUE(is_small(small, Evidence::mean));
+    EXPECT_TRUE(is_small(small, DifferenceEvidence::shown));
+    EXPECT_TRUE(is_small(small, DifferenceEvidence::mean));
     const Difference noisy = compare_sinkages({-4, -5, -6}, {-4.5, -5.0, -5.5}, 0.05);  // 0 ± 1.24
-    EXPECT_FALSE(is_small(noisy, Evidence::shown));
-    EXPECT_TRUE(is_small(noisy, Evidence::mean));
+    EXPECT_FALSE(is_small(noisy, DifferenceEvidence::shown));
+    EXPECT_TRUE(is_small(noisy, DifferenceEvidence::mean));
     const Difference large = compare_sinkages({-4, -5, -6}, {-4.3, -5.3, -6.3}, 0.05);
-    EXPECT_FALSE(is_small(large, Evidence::mean));
+    EXPECT_FALSE(is_small(large, DifferenceEvidence::mean));
     // More scatter about the same mean never helps.
-    EXPECT_FALSE(is_small(compare_sinkages({-4, -5, -6}, {-3.3, -5.3, -7.3}, 0.05), Evidence::mean));
+    EXPECT_FALSE(is_small(compare_sinkages({-4, -5, -6}, {-3.3, -5.3, -7.3}, 0.05), DifferenceEvidence::mean));
 }
 
 TEST(Differences, OfWhatWasNotMeasuredAreNeverSmall) {
     const std::vector<RunMetrics> runs = runs_of({-4, -5, -6});
     const Difference d = find_difference(runs, runs, parse_quantities("H").front(), 0.05);
-    EXPECT_FALSE(is_small(d, Evidence::mean));
+    EXPECT_FALSE(is_small(d, DifferenceEvidence::mean));
     EXPECT_EQ(judge_movement(d), Movement::cannot_tell);
 }
 
@@ -82,7 +82,7 @@ TEST(Differences, SayHowManyRealisationsWouldDo) {
 }
 
 TEST(Differences, AreAskedForByName) {
-    const std::vector<Quantity> quantities = parse_quantities("H,Pd,R,z,torque_Nm");
+    const std::vector<ComparedMetric> quantities = parse_quantities("H,Pd,R,z,torque_Nm");
     ASSERT_EQ(quantities.size(), 5U);
     EXPECT_EQ(quantities[1].metric->name, "net_traction_N");
     EXPECT_EQ(quantities[4].metric->name, "torque_Nm");
