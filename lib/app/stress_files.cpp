@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "check/csv.hpp"
@@ -88,12 +89,13 @@ double number(const CsvTable& table, const CsvRow& row, const char* column) {
     return *value;
 }
 
-std::size_t index(const CsvTable& table, const CsvRow& row, const char* column, std::size_t below) {
+/// A whole number from `first` up to but without `end`, counted from 0.
+std::size_t index(const CsvTable& table, const CsvRow& row, const char* column, std::size_t first, std::size_t end) {
     const double value = number(table, row, column);
-    if (!(value >= 0 && value < static_cast<double>(below)))
-        fail_input(
-            fmt::format("{}:{}: {} = {} does not fit the case. Run it again.", table.path, row.line, column, value));
-    return static_cast<std::size_t>(value);
+    if (!(value >= static_cast<double>(first) && value < static_cast<double>(end) && value == std::floor(value)))
+        fail_input(fmt::format("{}:{}: {} = {} does not fit the case (it counts from {} to {}). Run it again.",
+                               table.path, row.line, column, value, first, end - 1));
+    return static_cast<std::size_t>(value) - first;
 }
 
 }  // namespace
@@ -118,14 +120,14 @@ StressState read_contact_stress(const std::string& directory, const Case& c) {
     stress.block.resize(static_cast<std::size_t>(c.record.stress_blocks));
     stress.segment.resize(stress.block.size() * stride);
     for (const CsvRow& row : blocks.rows) {
-        const std::size_t block = index(blocks, row, "block", stress.block.size());
-        const std::size_t segment = index(blocks, row, "segment", stride + 1);
+        const std::size_t block = index(blocks, row, "block", 0, stress.block.size());
+        const std::size_t segment = index(blocks, row, "segment", 1, stride + 1);
         for (const SegmentColumn& column : segment_columns)
-            stress.segment[block * stride + segment - 1].*column.member = number(blocks, row, column.name);
+            stress.segment[block * stride + segment].*column.member = number(blocks, row, column.name);
     }
     for (const CsvRow& row : balance.rows)
         for (const BlockColumn& column : block_columns)
-            stress.block[index(balance, row, "block", stress.block.size())].*column.member =
+            stress.block[index(balance, row, "block", 0, stress.block.size())].*column.member =
                 number(balance, row, column.name);
     return stress;
 }

@@ -144,6 +144,25 @@ TEST(StressProgram, refuses_a_run_without_contact_stress) {
     EXPECT_EQ(run_program("stress " + small.scratch.file("a") + " -o " + small.scratch.file("out")), 2);
 }
 
+// Segments count from 1: a table that says 0 must not be written before its beginning.
+TEST(StressProgram, refuses_a_damaged_table) {
+    const SmallRun small;
+    ASSERT_EQ(small.run("a"), 0);
+    const std::string path = small.scratch.file("a/contact_blocks.csv"), whole = read_text(path);
+    const std::size_t line = whole.find('\n') + 1, segment = whole.find(',', line) + 1;
+    for (const char* wrong : {"0", "-1", "2.5", "1002"}) {
+        std::ofstream(path) << whole.substr(0, segment) + wrong + whole.substr(whole.find(',', segment));
+        const std::string errors = small.scratch.file("errors");
+        const std::string command = std::string(IFEDEM_PROGRAM) + " stress " + small.scratch.file("a") + " -o " +
+                                    small.scratch.file("out") + " 2> " + errors;
+        const int status = std::system(command.c_str());
+        EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 2);
+        EXPECT_NE(read_text(errors).find(std::string("contact_blocks.csv:2: segment = ") + wrong + " "),
+                  std::string::npos)
+            << read_text(errors);
+    }
+}
+
 // A plate sinks deeper under more load, does not turn, and resists being dragged with no more than its friction and the
 // sand in front of it can bear.
 TEST(StressProgram, plates_give_soil_parameters) {
