@@ -26,8 +26,9 @@ bool has_width(int width) {
             return true;
         case 4:
             return __builtin_cpu_supports("avx2") != 0;
-        case 8:
-            return __builtin_cpu_supports("avx512f") != 0;
+        case 8:  // all that pair_kernel_avx512.cpp is compiled with
+            return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+                   __builtin_cpu_supports("avx512vl") != 0;
         default:
             return false;
     }

@@ -17,7 +17,7 @@ declare -A reference
 
 has_width() {
     case $1 in
-        8) grep -q avx512f /proc/cpuinfo ;;
+        8) grep -q avx512f /proc/cpuinfo && grep -q avx512dq /proc/cpuinfo && grep -q avx512vl /proc/cpuinfo ;;
         4) grep -q avx2 /proc/cpuinfo ;;
         *) true ;;
     esac
