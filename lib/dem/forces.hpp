@@ -34,6 +34,12 @@ struct BoundaryForce {
                                            Vec2 normal, double centre_distance_m, double opposite_radius_m,
                                            Vec2 surface_velocity_m_s, double old_spring_m, double spring_step_s);
 
+/// From a disc's centre to its contact point, which divides the distance to another disc as the radii do; on a straight
+/// surface (opposite radius 0) it is the foot.
+[[nodiscard]] inline double contact_arm_m(double distance_m, double radius_m, double opposite_radius_m) {
+    return opposite_radius_m > 0 ? distance_m * radius_m / (radius_m + opposite_radius_m) : distance_m;
+}
+
 /// Where a wall (flat, or one disc of it) stands as seen from a disc.
 struct WallSide {
     Vec2 normal;  ///< unit, from the disc to the wall

@@ -6,13 +6,17 @@
 #include "dem/forces.hpp"
 
 namespace ifedem {
-
 namespace {
 
+/// Σ r F over the contacts of a disc.
+struct MomentSum {
+    double x_Nm = 0, y_Nm = 0, xy_Nm = 0;
+};
+
 /// Adds r F of a contact whose spring pushes a disc away along −normal, and drags it along the tangent.
-void add_moment(DiscStress& s, Vec2 arm, Vec2 force) {
-    s.x_Pa += arm.x * force.x, s.y_Pa += arm.y * force.y;
-    s.xy_Pa += 0.5 * (arm.x * force.y + arm.y * force.x);
+void add_moment(MomentSum& s, Vec2 arm_m, Vec2 force_N) {
+    s.x_Nm += arm_m.x * force_N.x, s.y_Nm += arm_m.y * force_N.y;
+    s.xy_Nm += 0.5 * (arm_m.x * force_N.y + arm_m.y * force_N.x);
 }
 
 /// On the disc that `normal` points away from; overlap > 0.
@@ -22,7 +26,7 @@ Vec2 spring_force(const ContactConstants& k, Vec2 normal, double overlap_m, doub
 }
 
 void add_surface_moments(const ContactConstants& k, const std::vector<SurfaceContact>& contacts,
-                         const std::vector<Disc>& disc, std::vector<DiscStress>& sum) {
+                         const std::vector<Disc>& disc, std::vector<MomentSum>& sum) {
     for (const SurfaceContact& c : contacts) {
         if (c.position >= disc.size() || c.on_disc.overlap_m <= 0) continue;
         const Vec2 normal = Vec2{} - c.outward;
@@ -35,7 +39,7 @@ void add_surface_moments(const ContactConstants& k, const std::vector<SurfaceCon
 
 std::vector<DiscStress> measure_stress(const Scene& scene, const State& state, const Workspace& work) {
     const auto& disc = state.discs.disc;
-    std::vector<DiscStress> sum(disc.size());
+    std::vector<MomentSum> sum(disc.size());
     for (std::size_t n = 0; n < work.dem.i.size(); ++n) {
         const std::uint32_t i = work.dem.i[n], j = work.dem.j[n];
         const Vec2 between{disc[j].x_m - disc[i].x_m, disc[j].y_m - disc[i].y_m};
@@ -43,44 +47,47 @@ std::vector<DiscStress> measure_stress(const Scene& scene, const State& state, c
         if (overlap <= 0) continue;
         const Vec2 normal = (1.0 / distance) * between;
         const Vec2 force = spring_force(scene.dem.soil, normal, overlap, state.pairs.tangential_m[n]);
-        add_moment(sum[i], (disc[i].radius_m - 0.5 * overlap) * normal, force);
-        add_moment(sum[j], (0.5 * overlap - disc[j].radius_m) * normal, Vec2{} - force);
+        const double arm_i = contact_arm_m(distance, disc[i].radius_m, disc[j].radius_m);
+        add_moment(sum[i], arm_i * normal, force);
+        add_moment(sum[j], (arm_i - distance) * normal, Vec2{} - force);
     }
     for (std::size_t n = 0; n < work.dem.wall.size(); ++n) {
         const Disc& d = disc[work.dem.wall[n].position];
         const WallSide side = find_wall_side(scene.dem, work.dem.wall[n].wall, d);
         const double overlap = d.radius_m + side.opposite_radius_m - side.distance_m;
         if (overlap <= 0) continue;
-        add_moment(sum[work.dem.wall[n].position], (d.radius_m - overlap) * side.normal,
+        const double arm = contact_arm_m(side.distance_m, d.radius_m, side.opposite_radius_m);
+        add_moment(sum[work.dem.wall[n].position], arm * side.normal,
                    spring_force(scene.dem.wall, side.normal, overlap, state.wall_contacts[n].tangential_m));
     }
     add_surface_moments(scene.dem.wheel, work.wheel.contact, disc, sum);
     add_surface_moments(scene.soil.contact, work.soil.contact, disc, sum);
     add_surface_moments(scene.dem.soil, work.soil.attached.contact, disc, sum);
+    std::vector<DiscStress> stress;
     for (std::size_t p = 0; p < disc.size(); ++p) {
         const double scale = 1.0 / (pi * disc[p].radius_m * disc[p].radius_m * scene.c.soil.thickness_m);
-        sum[p] = {scale * sum[p].x_Pa, scale * sum[p].y_Pa, scale * sum[p].xy_Pa};
+        stress.push_back({scale * sum[p].x_Nm, scale * sum[p].y_Nm, scale * sum[p].xy_Nm});
     }
-    return sum;
+    return stress;
 }
 
 DiscFields measure_fields(const Scene& scene, const State& state, const Workspace& work) {
     const auto& disc = state.discs.disc;
-    std::vector<double> sum(disc.size(), 0.0);  // Σ arm · spring force over the contacts of a disc
+    std::vector<double> sum_Nm(disc.size(), 0.0);  // Σ arm · spring force over the contacts of a disc, N m
     for (std::size_t n = 0; n < work.dem.i.size(); ++n) {
         const Disc &a = disc[work.dem.i[n]], &b = disc[work.dem.j[n]];
-        const double overlap = a.radius_m + b.radius_m - norm({b.x_m - a.x_m, b.y_m - a.y_m});
+        const double distance = norm({b.x_m - a.x_m, b.y_m - a.y_m}), overlap = a.radius_m + b.radius_m - distance;
         if (overlap <= 0) continue;
         const double force = scene.dem.soil.normal_stiffness_N_m * overlap;
-        sum[work.dem.i[n]] += (a.radius_m - 0.5 * overlap) * force;
-        sum[work.dem.j[n]] += (b.radius_m - 0.5 * overlap) * force;
+        sum_Nm[work.dem.i[n]] += contact_arm_m(distance, a.radius_m, b.radius_m) * force;
+        sum_Nm[work.dem.j[n]] += contact_arm_m(distance, b.radius_m, a.radius_m) * force;
     }
     DiscFields fields;
     for (std::size_t p = 0; p < disc.size(); ++p) {
         const Disc& d = disc[p];
         const double volume = pi * d.radius_m * d.radius_m * scene.c.soil.thickness_m;
         fields.speed_m_s.push_back(static_cast<float>(std::sqrt(d.vx_m_s * d.vx_m_s + d.vy_m_s * d.vy_m_s)));
-        fields.pressure_Pa.push_back(static_cast<float>(0.5 * sum[p] / volume));
+        fields.pressure_Pa.push_back(static_cast<float>(0.5 * sum_Nm[p] / volume));
     }
     return fields;
 }

@@ -73,7 +73,7 @@ void add_disc_springs(const Scene& scene, const State& state, const std::vector<
             make_spring(scene.dem.soil, scene.dem.damping_ratio, 1 / (a.inverse_mass_1_kg + b.inverse_mass_1_kg));
         s.a = state.pairs.i[n], s.b = state.pairs.j[n];
         s.normal = (1 / distance) * d;
-        s.arm_a_m = a.radius_m - 0.5 * overlap, s.arm_b_m = b.radius_m - 0.5 * overlap;
+        s.arm_a_m = contact_arm_m(distance, a.radius_m, b.radius_m), s.arm_b_m = distance - s.arm_a_m;
         f.spring.push_back(s);
     }
     for (const BoundaryContact& c : state.wall_contacts) {
@@ -81,9 +81,42 @@ void add_disc_springs(const Scene& scene, const State& state, const std::vector<
         const WallSide side = find_wall_side(scene.dem, c.surface, disc[p]);
         if (!(disc[p].radius_m + side.opposite_radius_m > side.distance_m)) continue;
         Spring s = make_spring(scene.dem.wall, scene.dem.damping_ratio, 1 / disc[p].inverse_mass_1_kg);
-        s.a = p, s.normal = side.normal, s.arm_a_m = disc[p].radius_m;
+        s.a = p, s.normal = side.normal;
+        s.arm_a_m = contact_arm_m(side.distance_m, disc[p].radius_m, side.opposite_radius_m);
         f.spring.push_back(s);
     }
+}
+
+/// A disc that touches a point that is held, or a disc of `opposite_radius_m` there.
+void add_held_spring(const Scene& scene, const ContactConstants& k, const State& state, std::uint32_t position,
+                     Vec2 point_m, double opposite_radius_m, Frozen& f) {
+    const Disc& d = state.discs.disc[position];
+    const Vec2 to = point_m - Vec2{d.x_m, d.y_m};
+    const double distance = norm(to);
+    if (!(distance > 0 && distance < d.radius_m + opposite_radius_m)) return;
+    Spring s = make_spring(k, scene.dem.damping_ratio, 1 / d.inverse_mass_1_kg);
+    s.a = position, s.normal = (1 / distance) * to;
+    s.arm_a_m = contact_arm_m(distance, d.radius_m, opposite_radius_m);
+    f.spring.push_back(s);
+}
+
+/// Discs on soil elements and on discs attached to them.
+void add_soil_springs(const Scene& scene, const State& state, const std::vector<std::uint32_t>& position_of_id,
+                      Frozen& f) {
+    const SoilState& soil = state.soil;
+    SoilWorkspace work;
+    attach_soil_workspace(scene.soil, soil, work);
+    for (const BoundaryContact& c : soil.contacts) {
+        const std::uint32_t p = position_of_id[c.disc];
+        const Vec2 start = soil.position_m[work.edge[c.surface].from];
+        const Vec2 along = soil.position_m[work.edge[c.surface].to] - start;
+        const Vec2 centre{state.discs.disc[p].x_m, state.discs.disc[p].y_m};
+        const double share = std::clamp(dot(centre - start, along) / dot(along, along), 0.0, 1.0);
+        add_held_spring(scene, scene.soil.contact, state, p, start + share * along, 0, f);
+    }
+    for (const BoundaryContact& c : soil.attached_contacts)
+        add_held_spring(scene, scene.dem.soil, state, position_of_id[c.disc], attached_position_m(soil, c.surface),
+                        soil.attached[c.surface].radius_m, f);
 }
 
 void add_wheel_springs(const Scene& scene, const State& state, const std::vector<std::uint32_t>& position_of_id,
@@ -133,6 +166,7 @@ Frozen freeze(const Scene& scene, const State& state, Movable movable) {
             f.disc_inertia_kg_m2.push_back(0.5 * d.radius_m * d.radius_m / d.inverse_mass_1_kg);
         }
         add_disc_springs(scene, state, position_of_id, f);
+        if (scene.has_soil_elements()) add_soil_springs(scene, state, position_of_id, f);
     }
     if (movable == Movable::discs || !scene.has_wheel()) return f;
     add_wheel(scene, state, f);

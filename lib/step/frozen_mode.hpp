@@ -22,10 +22,11 @@ struct FrozenMode {
 /// any symmetric K and C. The mode that fails first is found by power iteration on M⁻¹ (K + 2C/Δt), with Δt from the
 /// mode's own K and C until it stays: 2 (√(1+ζ²) − ζ) / ω. Without dashpots this is 2/ω_max.
 ///
-/// Moving: discs (x, y, ω), free nodes of the wheel and its rigid part. K: normal and, where friction lets them hold,
-/// tangential springs of all contacts, the elements' Kᵉ in their present rotation (the stress in them is left out: it
-/// is small against Kᵉ), and K_p of explicit control loops. C: the dashpots, the nodes' damping, K_d of explicit loops.
-/// The Rayleigh quotient rises from below; it is taken where 20 iterations change it by less than 1e-5.
+/// Moving: discs (x, y, ω), free nodes of the wheel and its rigid part; walls are held, and soil elements, of which a
+/// node has a quarter of a block's mass. K: normal and, where friction lets them hold, tangential springs of all
+/// contacts, the elements' Kᵉ in their present rotation (the stress in them is left out: it is small against Kᵉ), and
+/// K_p of explicit control loops. C: the dashpots, the nodes' damping, K_d of explicit loops. The Rayleigh quotient
+/// rises from below; it is taken where 20 iterations change it by less than 1e-5.
 [[nodiscard]] FrozenMode find_failing_mode(const Scene& scene, const State& state, Movable movable);
 
 }  // namespace ifedem
