@@ -113,13 +113,14 @@ BoundaryForce boundary_force(const ContactConstants& k, double damping_ratio, co
 
 WallSide find_wall_side(const DemConstants& k, std::uint32_t wall, const Disc& d) {
     const Vec2 centre{d.x_m, d.y_m};
-    if (!k.flat_walls.empty()) {
+    if (wall < k.flat_walls.size()) {
         const Vec2 normal = Vec2{0, 0} - k.flat_walls[wall].normal;
         return {normal, dot(k.flat_walls[wall].point_m - centre, normal), 0.0};
     }
-    const Vec2 to_wall = k.wall_discs[wall].centre_m - centre;
+    const WallDisc& other = k.wall_discs[wall - k.flat_walls.size()];
+    const Vec2 to_wall = other.centre_m - centre;
     const double distance = norm(to_wall);
-    return {(1.0 / distance) * to_wall, distance, k.wall_discs[wall].radius_m, k.wall_discs[wall].velocity_m_s};
+    return {(1.0 / distance) * to_wall, distance, other.radius_m, other.velocity_m_s};
 }
 
 }  // namespace ifedem

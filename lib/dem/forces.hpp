@@ -47,6 +47,7 @@ struct WallSide {
     double opposite_radius_m = 0;
     Vec2 velocity_m_s = {};
 };
+/// Walls are numbered flat ones first, then discs.
 [[nodiscard]] WallSide find_wall_side(const DemConstants& k, std::uint32_t wall, const Disc& d);
 
 }  // namespace ifedem

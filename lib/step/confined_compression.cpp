@@ -9,9 +9,9 @@
 namespace ifedem {
 namespace {
 
-constexpr std::uint32_t lid = 3;  // behind floor and side walls
-
+/// On the last flat wall.
 double lid_force_N(const Scene& scene, const State& state, const Workspace& work) {
+    const auto lid = static_cast<std::uint32_t>(scene.dem.flat_walls.size() - 1);
     double sum = 0;
     for (const WallCandidate& w : work.dem.wall) {
         if (w.wall != lid) continue;

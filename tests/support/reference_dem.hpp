@@ -103,16 +103,17 @@ private:
         const Body ba = to_body(by_id[a]);
         const double r = ba.radius_m;
         Touching touch;
-        if (!k.flat_walls.empty()) {
+        const std::size_t flat = k.flat_walls.size();
+        if (w < flat) {
             const double height = dot(ba.centre_m - k.flat_walls[w].point_m, k.flat_walls[w].normal);
             touch = {-1.0 * k.flat_walls[w].normal, r - height, height, 0,
                      std::sqrt(std::max((r - height) * (r + height), 0.0))};
         } else {
-            const Vec2 to_wall = k.wall_discs[w].centre_m - ba.centre_m;
-            const double distance = norm(to_wall), overlap = r + k.wall_discs[w].radius_m - distance;
-            const double opposite = k.wall_discs[w].radius_m, lever = distance / (r + opposite);
+            const Vec2 to_wall = k.wall_discs[w - flat].centre_m - ba.centre_m;
+            const double distance = norm(to_wall), overlap = r + k.wall_discs[w - flat].radius_m - distance;
+            const double opposite = k.wall_discs[w - flat].radius_m, lever = distance / (r + opposite);
             touch = {(1 / distance) * to_wall, overlap, lever * r, lever * opposite,
-                     half_chord(r, k.wall_discs[w].radius_m, distance)};
+                     half_chord(r, k.wall_discs[w - flat].radius_m, distance)};
         }
         if (touch.overlap_m <= 0) return;
         double spring = wall_spring_m.count({a, w}) != 0 ? wall_spring_m[{a, w}] : 0.0;

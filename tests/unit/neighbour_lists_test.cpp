@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 using namespace scene;
 using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< ids, lower first
 
-enum class Walls { none, flat, discs };
+enum class Walls { none, flat, discs, both };
 
 struct Bed {
     std::size_t count;
@@ -35,7 +36,8 @@ World make_bed(const Bed& bed, double gravity_m_s2) {
     DemConstants dem = make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.5, ContactEnd::no_attraction, 2), 0.2,
                                 4e-5, gravity_m_s2);
     if (bed.walls == Walls::flat) dem.flat_walls = make_box(side);
-    if (bed.walls == Walls::discs) dem.wall_discs = make_box_of_discs(side, 0.003);
+    if (bed.walls == Walls::discs || bed.walls == Walls::both) dem.wall_discs = make_box_of_discs(side, 0.003);
+    if (bed.walls == Walls::both) dem.flat_walls = {{{0, side}, {0, -1}}};  // a lid
     return make_world(dem, discs);
 }
 
@@ -172,7 +174,7 @@ TEST_P(Forces, and_springs_equal_those_of_all_pairs) {
 INSTANTIATE_TEST_SUITE_P(RandomBeds, Forces,
                          testing::Values(Bed{2, 0.6, 0.5, 12, Walls::flat}, Bed{60, 0.7, 0.8, 13, Walls::flat},
                                          Bed{60, 0.7, 0.8, 14, Walls::discs}, Bed{250, 0.75, 0.6, 15, Walls::discs},
-                                         Bed{250, 0.75, 1.5, 16, Walls::flat}));
+                                         Bed{250, 0.75, 1.5, 16, Walls::flat}, Bed{60, 0.7, 0.8, 17, Walls::both}));
 
 // More than one block of discs, so that forces come together from several threads' slots.
 TEST(Blocks, forces_of_several_blocks_equal_those_of_all_pairs) {
@@ -190,6 +192,25 @@ TEST(Blocks, forces_of_several_blocks_equal_those_of_all_pairs) {
     EXPECT_LT(worst.force, 1e-12);
     EXPECT_LT(worst.moment, 1e-12);
     EXPECT_LT(worst.spring, 1e-10);
+}
+
+// Up to the next health check a lost disc is among the others, which must not notice.
+TEST(Lists, bear_discs_that_are_no_longer_anywhere) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const double lost : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e200}) {
+        for (const std::vector<std::uint32_t>& which : {std::vector<std::uint32_t>{0}, {17}, {39}, {0, 1, 38, 39}}) {
+            World w = make_bed({40, 0.6, 0, 4, Walls::flat}, 0);
+            for (const std::uint32_t p : which) w.state.discs.disc[p].x_m = lost, w.state.discs.disc[p].y_m = -lost;
+            w.work = make_workspace(w.scene, w.state);
+            update_lists(w.scene.dem, w.state, w.work.dem);
+            EXPECT_EQ(find_listed(w.state), find_touching(w.state)) << lost;
+            EXPECT_GT(find_touching(w.state).size(), 0U);
+        }
+        World w = make_bed({3, 0.5, 0, 3, Walls::none}, 0);
+        for (Disc& d : w.state.discs.disc) d.x_m = lost;
+        w.work = make_workspace(w.scene, w.state);
+        update_lists(w.scene.dem, w.state, w.work.dem);
+    }
 }
 
 // A workspace made anew from a state in mid-flight finds the same forces: nothing that matters lives outside the state.
