@@ -51,6 +51,23 @@ void check_elements(const Case& c, Faults& faults) {
                           fmt::format("the blocks of discs leave the grid (columns {} to {} of {}). Move them?",
                                       e.first_disc_column, e.first_disc_column + e.disc_columns, e.columns)});
     }
+    constexpr double least_steps = 2000;  // a thousand moves of the lid, and as many steps to rest under it
+    const double step_s = c.time_step_s * std::sqrt(e.pattern_mass_factor);
+    if (e.disc_columns > 0 && !(e.pattern_s / step_s >= least_steps)) {
+        faults.push_back(
+            {{"elements.pattern_s", "time_step_s", "elements.pattern_mass_factor"},
+             fmt::format("a block's discs would be prepared in {:.0f} steps (elements.pattern_s = {} s; the "
+                         "lid needs {:g} to come down). Raise it to {:.3g} s or more?",
+                         e.pattern_s / step_s, e.pattern_s, least_steps, least_steps * step_s)});
+    }
+}
+
+/// Without K_s the cap of the tangential spring, μ F_n / K_s, has no value.
+void check_contact(const ContactCase& k, Faults& faults) {
+    if (k.tangential_stiffness_N_m > 0) return;
+    faults.push_back({{"contact.tangential_stiffness_N_m"},
+                      "contact.tangential_stiffness_N_m is 0 (a spring that holds friction needs a stiffness). Set the "
+                      "frictions to 0 to do without tangential forces?"});
 }
 
 void check_wheel(const WheelCase& wheel, Faults& faults) {
@@ -153,6 +170,7 @@ std::optional<std::string> find_range_fault(const Key& key, double value) {
 std::vector<RuleFault> find_rule_faults(const Case& c) {
     Faults faults;
     check_soil(c, faults);
+    check_contact(c.contact, faults);
     check_elements(c, faults);
     check_wheel(c.wheel, faults);
     check_travel(c, faults);

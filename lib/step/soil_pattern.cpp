@@ -63,7 +63,7 @@ std::vector<Disc> prepare_pattern(const Case& c) {
     const double height = c.elements.block_height_m, above = max_of(0.0, highest_top_m(state.discs) - height);
     scene.dem.flat_walls.push_back({{0, height + above}, {0, -1}});
     work = make_workspace(scene, state);
-    const std::uint64_t moves = 1000, way = std::max<std::uint64_t>(steps / 2, moves);
+    const std::uint64_t way = std::max<std::uint64_t>(1, steps / 2), moves = std::min<std::uint64_t>(1000, way);
     for (std::uint64_t n = 0; n < steps; ++n) {
         if (n < way && n % (way / moves) == 0) {
             const double share = static_cast<double>(n + way / moves) / static_cast<double>(way);

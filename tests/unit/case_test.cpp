@@ -532,6 +532,16 @@ TEST(CaseBase, CirclesAndAbsentBasesAreFaults) {
         << fault(absent);
 }
 
+TEST(CaseRules, RefuseWhatHasNoMeaning) {
+    EXPECT_NE(fault_of("contact.tangential_stiffness_N_m = 0").find("Set the frictions to 0"), std::string::npos);
+    const std::string blocks =
+        "bed.length_m = 2.4\ntime_step_s = 4e-5\n"
+        "elements = { columns = 16, block_length_m = 0.15, first_disc_column = 3, disc_columns = 5, pattern_s = ";
+    EXPECT_NO_THROW((void)parse_case(blocks + "0.0081 }", "c.toml"));  // a step of 4 µs: 1/100 of the mass
+    EXPECT_NE(fault_of(blocks + "0.0079 }").find("prepared in 1975 steps"), std::string::npos);
+    EXPECT_NE(fault_of(blocks + "0.0079 }").find("Raise it to 0.008 s or more?"), std::string::npos);
+}
+
 // ---- --set ---------------------------------------------------------------------------------------------------------
 
 TEST(CaseOverride, WinsOverTheFileAndLaterOverEarlier) {
