@@ -11,7 +11,12 @@
 namespace ifedem {
 namespace {
 
-/// y ≈ c0 + c1 x.
+/// Whether there is no line through points: least squares would divide by 0.
+bool are_all_equal(std::span<const double> x) {
+    return std::ranges::all_of(x, [&](double v) { return v == x.front(); });
+}
+
+/// y ≈ c0 + c1 x; x not all equal.
 struct Line {
     double c0 = 0, c1 = 0;
 };
@@ -33,6 +38,9 @@ PressureSinkage fit_pressure_sinkage(std::span<const double> sinkage_m, std::spa
             fmt::format("p = k zⁿ needs two or more sinkages and pressures above 0 (there are {}). Press the "
                         "plate with more loads.",
                         sinkage_m.size()));
+    if (are_all_equal(sinkage_m))
+        fail_input(fmt::format("p = k zⁿ needs sinkages that differ (all are {} m). Press the plate with other loads.",
+                               sinkage_m.front()));
     std::vector<double> x, y;
     for (std::size_t k = 0; k < sinkage_m.size(); ++k)
         x.push_back(std::log(sinkage_m[k])), y.push_back(std::log(pressure_Pa[k]));
@@ -72,6 +80,11 @@ ShearStrength fit_shear_strength(std::span<const ShearTest> tests) {
         sigma.push_back(test.normal_Pa), tau.push_back(curve.strength_Pa);
         s.displacement_m += curve.displacement_m / static_cast<double>(tests.size());
     }
+    if (are_all_equal(sigma))
+        fail_input(
+            fmt::format("c and tan φ need shear tests under pressures that differ (all are {} Pa). Drag the plate "
+                        "under other loads.",
+                        sigma.front()));
     const Line line = fit_line(sigma, tau);
     s.cohesion_Pa = line.c0, s.friction = line.c1;
     if (line.c0 < 0) {

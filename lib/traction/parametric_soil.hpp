@@ -9,7 +9,7 @@ namespace ifedem {
 // Soil parameters of the semi-empirical wheel from plate tests on the same discs.
 
 /// p = k zⁿ through sinkages and pressures, by least squares of log p over log z. Throws Error(bad_input) for fewer
-/// than two points or any that is not above 0.
+/// than two points, any that is not above 0, or sinkages that are all equal.
 [[nodiscard]] PressureSinkage fit_pressure_sinkage(std::span<const double> sinkage_m,
                                                    std::span<const double> pressure_Pa);
 
@@ -29,7 +29,8 @@ struct ShearCurve {
 [[nodiscard]] ShearCurve read_shear_curve(const ShearTest& test);
 
 /// c and tan φ by the straight line through the strengths (c = 0 and the line through the origin where it would be
-/// negative: dry sand does not repel), K the mean of the tests. Throws Error(bad_input) for fewer than two tests.
+/// negative: dry sand does not repel), K the mean of the tests. Throws Error(bad_input) for fewer than two tests, or
+/// pressures that are all equal.
 [[nodiscard]] ShearStrength fit_shear_strength(std::span<const ShearTest> tests);
 
 }  // namespace ifedem

@@ -57,27 +57,54 @@ struct FreeSolver {
     void operator()(gsl_root_fsolver* s) const { gsl_root_fsolver_free(s); }
 };
 
+[[noreturn]] void fail_search(const ParametricWheel& w, double slip, double load_N, int status) {
+    fail_input(fmt::format(
+        "the entry angle under {} N at slip {} cannot be found (GSL: {}; k = {:.4g}, n = {:.4g}, c = {:.4g} Pa, "
+        "tan φ = {:.4g}, K = {:.4g} m). Check these numbers.",
+        load_N, slip, gsl_strerror(status), w.pressure.modulus_Pa_mn, w.pressure.exponent, w.shear.cohesion_Pa,
+        w.shear.friction, w.shear.displacement_m));
+}
+
+/// The first interval whose ends carry less and not less than the load: the load may fall again where the shear lifts
+/// less than it pushes down.
+struct Bracket {
+    double low_rad = 0, high_rad = 0;
+};
+Bracket find_bracket(Excess& excess) {
+    constexpr int parts = 45;
+    constexpr double least = 1e-4;  // a nanometre of sinkage
+    if (Excess::at(least, &excess) >= 0)
+        fail_input(
+            fmt::format("{} N at slip {} are carried with less than a nanometre of sinkage (the soil is too hard, or "
+                        "there is no load). Check the units of k and n, and the load.",
+                        excess.load_N, excess.slip));
+    double low = least;
+    for (int k = 1; k <= parts; ++k) {
+        const double high = 0.5 * pi * k / parts;
+        if (!(Excess::at(high, &excess) < 0)) return {low, high};
+        low = high;
+    }
+    fail_input(
+        fmt::format("no entry angle up to 90° carries {} N at slip {} (the soil is too soft). Check the "
+                    "units of k and n.",
+                    excess.load_N, excess.slip));
+}
+
 double find_entry_rad(const ParametricWheel& wheel, double slip, double load_N) {
     gsl_set_error_handler_off();
     Excess excess{wheel, slip, load_N};
     gsl_function f{&Excess::at, &excess};
     const std::unique_ptr<gsl_root_fsolver, FreeSolver> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
-    // The first angle that carries the load: the load may fall again where the shear lifts less than it pushes down.
-    constexpr int parts = 45;
-    constexpr double least = 1e-4;  // a nanometre of sinkage
-    double high = least;
-    for (int k = 1; k <= parts && Excess::at(high, &excess) < 0; ++k) high = 0.5 * pi * k / parts;
-    const double low = std::fmax(least, high - 0.5 * pi / parts);
-    if (gsl_root_fsolver_set(solver.get(), &f, low, high) != 0)
-        fail_input(
-            fmt::format("no entry angle up to 90° carries {} N at slip {} (the soil is too soft). Check the "
-                        "units of k and n.",
-                        load_N, slip));
-    for (int n = 0; n < 100; ++n) {
-        gsl_root_fsolver_iterate(solver.get());
+    const auto [low, high] = find_bracket(excess);
+    int status = gsl_root_fsolver_set(solver.get(), &f, low, high);
+    bool found = false;
+    for (int n = 0; n < 100 && status == GSL_SUCCESS && !found; ++n) {
+        status = gsl_root_fsolver_iterate(solver.get());
         const double a = gsl_root_fsolver_x_lower(solver.get()), b = gsl_root_fsolver_x_upper(solver.get());
-        if (gsl_root_test_interval(a, b, 0, 1e-13) == GSL_SUCCESS) break;
+        found = gsl_root_test_interval(a, b, 0, 1e-13) == GSL_SUCCESS;
     }
+    if (status != GSL_SUCCESS || !found)
+        fail_search(wheel, slip, load_N, status != GSL_SUCCESS ? status : GSL_EMAXITER);
     return gsl_root_fsolver_root(solver.get());
 }
 

@@ -42,7 +42,7 @@ struct ParametricResult {
 };
 
 /// θ_1 from the load by Brent's method (GSL), then all else. Throws Error(bad_input) if no angle up to 90° carries the
-/// load.
+/// load, if a nanometre of sinkage carries more, or if the search comes to no end.
 [[nodiscard]] ParametricResult solve_wheel(const ParametricWheel& wheel, double slip, double load_N,
                                            Sharing sharing = Sharing::as_written);
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "core/bitmath.hpp"
@@ -284,12 +286,32 @@ TEST(SoilFits, find_what_made_the_data) {
     EXPECT_EQ(fit_shear_strength(tests).cohesion_Pa, 0);  // no negative cohesion
     EXPECT_THROW((void)fit_shear_strength(std::span(tests).first(1)), Error);
     EXPECT_THROW((void)fit_pressure_sinkage(std::vector<double>{0.01, -0.01}, std::vector<double>{1, 2}), Error);
+    // No line goes through points of one abscissa.
+    EXPECT_THROW((void)fit_pressure_sinkage(std::vector<double>{0.01, 0.01}, std::vector<double>{1, 2}), Error);
+    tests.assign(2, tests.front());
+    EXPECT_THROW((void)fit_shear_strength(tests), Error);
+}
+
+std::string refusal_of(const ParametricWheel& w, double load_N) {
+    try {
+        (void)solve_wheel(w, 0.2, load_N);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
 }
 
 TEST(ParametricWheel, that_cannot_carry_its_load_is_refused) {
     ParametricWheel w = make_wheel();
     w.pressure.modulus_Pa_mn = 10;
-    EXPECT_THROW((void)solve_wheel(w, 0.2, 980), Error);
+    EXPECT_NE(refusal_of(w, 980).find("too soft"), std::string::npos) << refusal_of(w, 980);
+    w.pressure.modulus_Pa_mn = 1e20;
+    EXPECT_NE(refusal_of(w, 980).find("too hard"), std::string::npos) << refusal_of(w, 980);
+    w.pressure.modulus_Pa_mn = 1e6;
+    EXPECT_NE(refusal_of(w, 0).find("no load"), std::string::npos) << refusal_of(w, 0);
+    w.shear.friction = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(refusal_of(w, 980).find("cannot be found"), std::string::npos) << refusal_of(w, 980);
+    w.shear.friction = 0;
     w.pressure.modulus_Pa_mn = 1e6;
     w.c1 = 1.2;
     EXPECT_THROW((void)solve_wheel(w, 0.2, 980), Error);
