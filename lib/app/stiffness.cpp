@@ -25,9 +25,8 @@ void write_stiffness(const StiffnessRequest& request) {
         std::vector<double> deflections;
         const double deepest = 1.3 * request.load_N / k.smallest_N_m;
         for (int n = 0; n <= points; ++n) deflections.push_back(deepest * n / points);
-        const double pitch_deg = c.wheel.lug_pairs > 0 ? 360.0 / static_cast<double>(c.wheel.lug_pairs) : 360.0;
         for (int p = 0; p < phases; p += 2) {
-            const double phase = pitch_deg * p / phases;
+            const double phase = lug_pitch_deg(c.wheel) * p / phases;
             for (const LoadDeflection& row : press_on_plane(c.wheel, deflections, phase))
                 curves += fmt::format("{},{:.4g},{:.6g},{:.6g}\n", wheel, phase, row.deflection_m, row.load_N);
         }

@@ -120,6 +120,10 @@ std::vector<LoadDeflection> press_on_plane(const WheelCase& wheel, std::span<con
     return rows;
 }
 
+double lug_pitch_deg(const WheelCase& wheel) {
+    return 360.0 / static_cast<double>(wheel.lug_pairs > 0 ? wheel.lug_pairs : 12);
+}
+
 RadialStiffness find_radial_stiffness(const WheelCase& wheel, double load_N, std::int64_t phases,
                                       PlaneFriction friction) {
     if (!(load_N > 0) || phases < 1) {
@@ -128,7 +132,7 @@ RadialStiffness find_radial_stiffness(const WheelCase& wheel, double load_N, std
                         "above 0 and at least one phase.",
                         load_N, phases));
     }
-    const double pitch_deg = 360.0 / static_cast<double>(wheel.lug_pairs > 0 ? wheel.lug_pairs : 12);
+    const double pitch_deg = lug_pitch_deg(wheel);
     RadialStiffness result;
     for (std::int64_t k = 0; k < phases; ++k) {
         const double phase_deg = pitch_deg * static_cast<double>(k) / static_cast<double>(phases);

@@ -20,6 +20,9 @@ struct LoadDeflection {
                                                          double phase_deg,
                                                          PlaneFriction friction = PlaneFriction::none);
 
+/// The pitch of the lug pairs; of a smooth tread a twelfth of a turn, as its mesh has the columns of twelve pairs.
+[[nodiscard]] double lug_pitch_deg(const WheelCase& wheel);
+
 /// Secant radial stiffness K_c = W/δ (Eq 3.9, section 3.2.2) over the phases of one lug pitch.
 struct RadialStiffness {
     double mean_N_m = 0;
