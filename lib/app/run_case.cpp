@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -123,11 +124,12 @@ void write_run_checkpoint(LiveRun& run) {
     if (run.recorder) write_checkpoint(checkpoint_path(run), run.state, run.c, measure_spent(run));
 }
 
+/// Steps that this process has to make.
 std::uint64_t remaining_total(const LiveRun& run) {
     std::uint64_t total = 0;
     for (const Stage s : {Stage::consolidation, Stage::sinkage, Stage::travel})
         if (s >= run.state.progress.stage && s <= run.request.last_stage) total += steps_of_stage(run.c, s);
-    return total;
+    return total - std::min(total, run.state.progress.step);  // a resumed run is within its first stage
 }
 
 std::string progress_note(const State& state) {
