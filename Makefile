@@ -8,7 +8,7 @@ FUZZ_SECONDS ?= 1800
 BUILD     := build
 CXX_FAST  := clang++
 IFEDEM    := $(BUILD)/ifedem
-PACKAGES  := clang cmake ninja-build g++ gnuplot-nox libomp-dev libeigen3-dev libgsl-dev libhdf5-dev libgtest-dev \
+PACKAGES  := clang clang-format cmake ninja-build g++ gnuplot-nox libomp-dev libeigen3-dev libgsl-dev libhdf5-dev libgtest-dev \
              libfmt-dev libcli11-dev libtomlplusplus-dev libclang-rt-14-dev fonts-dejavu-core pkg-config
 PEERS     := lammps liggghts yade
 SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
@@ -132,7 +132,7 @@ docs: ## the library's documentation by Doxygen: build/docs/html/index.html
 	@dpkg -s doxygen > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends doxygen; }
 	@mkdir -p $(BUILD)/docs && doxygen lib/Doxyfile
 
-check: build ## what a contributor runs before a commit: format, tidy, tests
+check: build ## what a contributor runs before a commit: format, tests
 	@find lib tests reproductions -name '*.?pp' | xargs clang-format --dry-run -Werror
 	@$(MAKE) --no-print-directory test
 

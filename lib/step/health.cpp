@@ -63,7 +63,9 @@ std::string_view remedy_of(Cause cause) {
         case Cause::lost_disc:
             return "Lower time_step_s, or raise contact.normal_stiffness_N_m: the wall was passed.";
         case Cause::not_a_number:
-            return "Run the case anew; if it happens again, look at its values first.";
+            return "The same case fails at the same step: look at the last frame, and at time_step_s against the "
+                   "limits "
+                   "that `ifedem run` prints at the beginning of the stage.";
         case Cause::loose_bed:
             return "Lengthen stages.consolidation_s.";
         case Cause::shallow_bin:
@@ -114,7 +116,8 @@ std::optional<Symptom> check_discs(const Scene& scene, const State& state) {
         if (well) continue;  // not-a-number is not well
         const std::uint32_t id = state.discs.id[p];
         if (!std::isfinite(d.x_m + d.y_m + d.omega_rad_s + v2))
-            return Symptom{Cause::not_a_number, fmt::format("disc {} is not a number", id), d.x_m, 0};
+            return Symptom{Cause::not_a_number, fmt::format("disc {} is not a number", id),
+                           d.x_m + d.y_m + d.omega_rad_s + v2, 0};
         if (walled && !(d.x_m >= left && d.x_m <= right && d.y_m >= floor))
             return Symptom{Cause::lost_disc, fmt::format("disc {} has left the bin", id), d.y_m < floor ? d.y_m : d.x_m,
                            d.y_m < floor ? floor : (d.x_m < left ? left : right)};
@@ -281,8 +284,9 @@ std::string_view cause_name(Cause cause) {
 }
 
 std::string to_text(const Violation& v) {
-    return fmt::format("stopped at step {}: {} (value {:.6g}, limit {:.6g}; cause: {}). {}", v.total_steps, v.what,
-                       v.value, v.limit, cause_name(v.cause), v.remedy);
+    const std::string limit = std::isfinite(v.value) ? fmt::format(", limit {:.6g}", v.limit) : "";
+    return fmt::format("stopped at step {}: {} (value {:.6g}{}; cause: {}). {}", v.total_steps, v.what, v.value, limit,
+                       cause_name(v.cause), v.remedy);
 }
 
 Violation refuse_step(const State& state, const StepLimit& exceeded, const HealthWatch& watch, double step_s) {

@@ -37,14 +37,14 @@ enum class Cause {
 };
 [[nodiscard]] std::string_view cause_name(Cause cause);
 
-/// What went wrong first; prints as "step, what, value, limit, cause and remedy".
+/// What went wrong first; prints as "step, what, value, limit (of a finite value), cause and remedy".
 struct Violation {
     std::uint64_t total_steps = 0;
     Cause cause = Cause::not_a_number;
     std::string what;  ///< "disc 17 has left the bin"
     double value = 0;
-    double limit = 0;
-    std::string remedy;  ///< "Halve time_step_s …"
+    double limit = 0;    ///< of no meaning where the value is not finite
+    std::string remedy;  ///< "Lower time_step_s."
 };
 [[nodiscard]] std::string to_text(const Violation& v);
 
