@@ -135,8 +135,7 @@ struct Progress {
     std::uint64_t total_steps = 0;  ///< of all stages so far
 };
 
-// ---- Soil elements (chapter 5)
-// ----------------------------------------------------------------------------------------
+// ---- Soil elements (chapter 5) --------------------------------------------------------------------------------------
 
 /// What a block of the soil's grid consists of.
 enum class BlockKind : std::uint32_t { discs = 0, element = 1 };
@@ -192,8 +191,8 @@ struct State {
     Progress progress;
     DiscState discs;
     PairState pairs;
-    std::vector<BoundaryContact> wall_contacts;   ///< sorted by disc, surface
-    std::vector<BoundaryContact> wheel_contacts;  ///< sorted by disc, surface
+    std::vector<BoundaryContact> wall_contacts;   ///< sorted by list position, wall
+    std::vector<BoundaryContact> wheel_contacts;  ///< sorted by list position, segment
     WheelState wheel;
     ControlState control;
     EnergyLedger energy;

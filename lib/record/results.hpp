@@ -11,7 +11,7 @@
 
 namespace ifedem {
 
-/// One line of series.csv, in the contract's order and signs.
+/// One line of series.csv, in the order of its columns; signs as "Signs and units" in lib/README.md says.
 struct SeriesRow {
     double time_s = 0;  ///< from the beginning of the stage
     Stage stage = Stage::consolidation;
@@ -25,7 +25,7 @@ struct SeriesRow {
     double net_traction_N = 0;
     double motion_resistance_N = 0;
     double torque_Nm = 0;
-    // Beyond the contract: direct sums, what was commanded, and the energy account since the stage began.
+    // For checks: direct sums, what was commanded, and the energy account since the stage began.
     double fx_positive_N = 0, fx_negative_N = 0;                           ///< Eqs 2.13, 2.14 on the boundary nodes
     double hub_speed_m_s = 0, omega_rad_s = 0, commanded_omega_rad_s = 0;  ///< ω clockwise
     EnergyLedger ledger;
