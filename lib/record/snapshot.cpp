@@ -1,9 +1,6 @@
 #include "record/snapshot.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +10,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/gnuplot.hpp"
 #include "record/files.hpp"
 #include "record/results.hpp"
 
@@ -46,13 +44,6 @@ double choose_colour_max(const Frame& frame, std::span<const float> values, cons
     const auto place = visible.begin() + static_cast<std::ptrdiff_t>((visible.size() - 1) * 98 / 100);
     std::nth_element(visible.begin(), place, visible.end());
     return *place > 0 ? static_cast<double>(*place) : 1;
-}
-
-/// As a gnuplot string in single quotes.
-std::string quote(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
-    return quoted + "'";
 }
 
 std::string disc_data(const Frame& frame, std::span<const float> values, double scale, const SnapshotOptions& options) {
@@ -119,7 +110,7 @@ Panel size_panel(const SnapshotOptions& options) {
 /// Terminal and output; `terminal` is gnuplot's with its options but the size.
 std::string canvas(const std::string& terminal, const std::string& output, double width_px, double height_px) {
     return fmt::format("set terminal {} size {:.0f},{:.0f} font 'DejaVu Sans,14' background '#ffffff'\nset output {}\n",
-                       terminal, width_px, height_px, quote(output));
+                       terminal, width_px, height_px, quote_for_gnuplot(output));
 }
 
 std::string margins(const Panel& p, double width_px, double height_px) {
@@ -138,7 +129,8 @@ std::string axes(const std::string& title, const char* colour_label, double colo
         "ratio -1\n"
         "set xrange [{}:{}]\nset yrange [{}:{}]\nset tics out nomirror\nset border 3 lw 1\nunset key\n"
         "set cbrange [0:{:.6g}]\nset cblabel {} noenhanced\nset style fill solid 1.0 noborder\n",
-        quote(title), o.x_min_m, o.x_max_m, o.y_min_m, o.y_max_m, colour_max, quote(colour_label));
+        quote_for_gnuplot(title), o.x_min_m, o.x_max_m, o.y_min_m, o.y_max_m, colour_max,
+        quote_for_gnuplot(colour_label));
 }
 
 const std::vector<float>& coloured_values(const Frame& frame, DiscColour colour) {
@@ -185,22 +177,6 @@ SnapshotOptions share_colours(std::span<const ShownFrame> frames, SnapshotOption
     return o;
 }
 
-/// Runs gnuplot on a script, without a shell; what it prints goes to `log`. Returns its exit status.
-int run_gnuplot(const std::string& script, const std::string& log) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    std::string program = "gnuplot", no_defaults = "-d", file = script;
-    const std::array<char*, 4> arguments = {program.data(), no_defaults.data(), file.data(), nullptr};
-    pid_t child = 0;
-    const int fault = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    int status = -1;
-    if (fault != 0 || waitpid(child, &status, 0) < 0 || !WIFEXITED(status)) return -1;
-    return WEXITSTATUS(status);
-}
-
 std::string first_line(const std::string& path) {
     std::string line;
     for (const std::byte b : read_whole_file(path)) {
@@ -221,7 +197,7 @@ template <class Make>
 void draw(const std::string& path, const Make& make) {
     const std::string script = path + ".gp", picture = path + ".tmp", log = path + ".log";
     write_file_atomically(script, make(picture));
-    const int status = run_gnuplot(script, log);
+    const int status = execute_gnuplot({script}, log);
     std::string reason;
     if (status != 0)
         reason =
