@@ -46,19 +46,27 @@ AreaCoordinates find_area_coordinates(double a, double b) {
     return c;
 }
 
-/// The highest disc top in each of four columns of width 2 R about x; columns without discs count as none.
-double surface_height_m(const std::vector<Disc>& discs, double x_m, double radius_m, double lowest_m) {
+/// The highest disc top in each of four columns, ascending; `lowest_m` for a column without discs. `column_of` a disc's
+/// x is from 0 up to but without 4 in the columns.
+template <class ColumnOf>
+std::array<double, 4> find_column_tops_m(const std::vector<Disc>& discs, double lowest_m, ColumnOf&& column_of) {
     std::array<double, 4> top;
     top.fill(lowest_m);
     for (const Disc& d : discs) {
-        const double at = (d.x_m - x_m) / (2 * radius_m) + 2;
+        const double at = column_of(d.x_m);
         if (!(at >= 0 && at < 4)) continue;
         double& t = top[static_cast<std::size_t>(at)];
         t = max_of(t, d.y_m + d.radius_m);
     }
     std::sort(top.begin(), top.end());
-    if (top[0] <= lowest_m && top[1] <= lowest_m) return 0.5 * (top[2] + top[3]);  // beside a wall or an element
-    return 0.5 * (top[1] + top[2]);
+    return top;
+}
+
+/// The middle two of four columns of width 2 R about x; of the upper two beside a wall or an element.
+double surface_height_m(const std::vector<Disc>& discs, double x_m, double radius_m, double lowest_m) {
+    const auto top = find_column_tops_m(discs, lowest_m, [&](double x) { return (x - x_m) / (2 * radius_m) + 2; });
+    const bool beside = top[0] <= lowest_m && top[1] <= lowest_m;
+    return beside ? 0.5 * (top[2] + top[3]) : 0.5 * (top[1] + top[2]);
 }
 
 /// A border of a new element: a directed segment with the element on its left.
@@ -425,13 +433,7 @@ double block_surface_m(const SoilModel& model, const State& state, std::uint32_t
     const std::array<Vec2, 4> corner = corners_of(model, state.soil, block);
     if (state.soil.kind[block] == BlockKind::element) return 0.5 * (corner[top_right].y + corner[top_left].y);
     const double left = corner[bottom_left].x, width = corner[bottom_right].x - left;
-    std::array<double, 4> top{};
-    for (const Disc& d : state.discs.disc) {
-        const double at = (d.x_m - left) / width * 4;
-        if (at >= 0 && at < 4)
-            top[static_cast<std::size_t>(at)] = max_of(top[static_cast<std::size_t>(at)], d.y_m + d.radius_m);
-    }
-    std::sort(top.begin(), top.end());
+    const auto top = find_column_tops_m(state.discs.disc, 0, [&](double x) { return (x - left) / width * 4; });
     return 0.5 * (top[1] + top[2]);
 }
 

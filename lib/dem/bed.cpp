@@ -6,6 +6,7 @@
 
 #include "core/bitmath.hpp"
 #include "core/random.hpp"
+#include "dem/edit_discs.hpp"
 
 namespace ifedem {
 namespace {
@@ -22,42 +23,6 @@ std::vector<double> draw_radii(const SoilCase& soil, std::int64_t count, Random&
     }
     shuffle(radii, random);
     return radii;
-}
-
-constexpr std::uint32_t gone = 0xffffffffU;
-
-/// New place of each old one, `gone` for what does not stay.
-std::vector<std::uint32_t> close_gaps(const std::vector<char>& stays) {
-    std::vector<std::uint32_t> place(stays.size(), gone);
-    std::uint32_t next = 0;
-    for (std::size_t n = 0; n < stays.size(); ++n)
-        if (stays[n] != 0) place[n] = next++;
-    return place;
-}
-
-template <class T>
-void keep(std::vector<T>& items, const std::vector<char>& stays) {
-    if (items.empty()) return;
-    std::size_t kept = 0;
-    for (std::size_t n = 0; n < items.size(); ++n)
-        if (stays[n] != 0) items[kept++] = items[n];
-    items.resize(kept);
-}
-
-/// `stays` by list position.
-void keep_pairs(PairState& p, const std::vector<char>& stays) {
-    const std::vector<std::uint32_t> position = close_gaps(stays);
-    std::vector<char> pair_stays(p.i.size());
-    for (std::size_t n = 0; n < p.i.size(); ++n) pair_stays[n] = static_cast<char>(stays[p.i[n]] & stays[p.j[n]]);
-    const std::vector<std::uint32_t> pair_place = close_gaps(pair_stays);
-    std::vector<char> inner_stays;
-    for (const std::uint32_t outer : p.inner) inner_stays.push_back(pair_stays[outer]);
-    keep(p.tangential_m, inner_stays), keep(p.inner, inner_stays);
-    keep(p.i, pair_stays), keep(p.j, pair_stays);
-    for (std::uint32_t& outer : p.inner) outer = pair_place[outer];
-    for (auto* list : {&p.i, &p.j})
-        for (std::uint32_t& at : *list) at = position[at];
-    keep(p.reference, stays), keep(p.inner_reference, stays);
 }
 
 }  // namespace
@@ -85,25 +50,22 @@ DiscState generate_bed(const Case& c) {
     return bed;
 }
 
-void level_surface(State& state, std::size_t count) {
-    DiscState& discs = state.discs;
-    if (count >= discs.disc.size()) return;
+std::vector<std::uint32_t> sort_by_top(const DiscState& discs) {
     std::vector<std::uint32_t> order(discs.disc.size());
     std::iota(order.begin(), order.end(), 0U);
     const auto top = [&](std::uint32_t p) { return discs.disc[p].y_m + discs.disc[p].radius_m; };
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return top(a) != top(b) ? top(a) < top(b) : discs.id[a] < discs.id[b];  // unique keys
     });
-    std::vector<char> stays(discs.disc.size(), 0), id_stays(discs.disc.size(), 0);
-    for (std::size_t n = 0; n < count; ++n) stays[order[n]] = id_stays[discs.id[order[n]]] = 1;
-    const std::vector<std::uint32_t> new_id = close_gaps(id_stays);
-    keep_pairs(state.pairs, stays);
-    for (auto* contacts : {&state.wall_contacts, &state.wheel_contacts, &state.soil.contacts}) {
-        std::erase_if(*contacts, [&](const BoundaryContact& c) { return id_stays[c.disc] == 0; });
-        for (BoundaryContact& c : *contacts) c.disc = new_id[c.disc];
-    }
-    keep(discs.disc, stays), keep(discs.id, stays), keep(discs.acceleration, stays);
-    for (std::uint32_t& id : discs.id) id = new_id[id];
+    return order;
+}
+
+void level_surface(State& state, std::size_t count) {
+    if (count >= state.discs.disc.size()) return;
+    const std::vector<std::uint32_t> order = sort_by_top(state.discs);
+    std::vector<char> stays(order.size(), 0);
+    for (std::size_t n = 0; n < count; ++n) stays[order[n]] = 1;
+    keep_discs(stays, state);
 }
 
 double measure_porosity(const DiscState& discs, double length_m, double margin_m, double bottom_m, double top_m) {

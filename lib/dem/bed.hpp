@@ -9,6 +9,9 @@ namespace ifedem {
 /// yet settled.
 [[nodiscard]] DiscState generate_bed(const Case& c);
 
+/// List positions by the height of the discs' tops, the lowest first, ties by id.
+[[nodiscard]] std::vector<std::uint32_t> sort_by_top(const DiscState& discs);
+
 /// Levels the surface (section 4.2.4): of all discs the `count` with the lowest tops stay, ties by id. Ids are numbered
 /// anew without gaps; contacts between what stays keep their springs.
 void level_surface(State& state, std::size_t count);

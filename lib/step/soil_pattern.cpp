@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/bitmath.hpp"
 #include "dem/bed.hpp"
@@ -24,12 +23,7 @@ Case make_box(const Case& c) {
 }
 
 void keep_lowest(std::size_t count, DiscState& discs) {
-    std::vector<std::uint32_t> order(discs.disc.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto top = [&](std::uint32_t p) { return discs.disc[p].y_m + discs.disc[p].radius_m; };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return top(a) != top(b) ? top(a) < top(b) : discs.id[a] < discs.id[b];
-    });
+    const std::vector<std::uint32_t> order = sort_by_top(discs);
     DiscState kept;
     for (std::size_t n = 0; n < std::min(count, order.size()); ++n) {
         kept.disc.push_back(discs.disc[order[n]]);
