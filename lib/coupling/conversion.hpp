@@ -77,15 +77,6 @@ struct ConversionEdit {
 [[nodiscard]] ConversionEdit plan_to_element(const SoilModel& model, const DemConstants& k, const State& state,
                                              const SoilWorkspace& work, std::uint32_t block);
 
-/// Stress (σ_x, σ_y, τ_xy; compression < 0) at the middle of a block that is an element.
-[[nodiscard]] std::array<double, 3> element_stress_Pa(const SoilModel& model, const SoilState& soil,
-                                                      std::uint32_t block);
-
-/// Mean stress (σ_x, σ_y, τ_xy; compression < 0) of discs over a volume, Eq 5.10 summed: Σ r F / V over the springs of
-/// their contacts with each other and, as far as a disc's own side, with discs that are not among them.
-[[nodiscard]] std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
-                                                   const std::vector<std::uint32_t>& positions, double volume_m3);
-
 /// Carries an edit out: discs, lists, elements, skyline; springs of contacts that go on are kept. Not for refusals.
 void apply_conversion(const ConversionEdit& edit, const SoilModel& model, const DemConstants& k, State& state,
                       DemWorkspace& dem, SoilWorkspace& work);

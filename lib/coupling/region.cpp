@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/bitmath.hpp"
+#include "coupling/stress_handover.hpp"
 
 namespace ifedem {
 namespace {

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "core/hash.hpp"
+#include "coupling/stress_handover.hpp"
 #include "step/energy.hpp"
 #include "step/health.hpp"
 #include "step/soil_pattern.hpp"
