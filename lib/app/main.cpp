@@ -298,86 +298,130 @@ int compare_checkpoints(const std::string& a, const std::string& b) {
     return difference ? 1 : 0;
 }
 
+struct CompareArguments {
+    std::string first, second;
+};
+
+void add_compare(CLI::App& app, CompareArguments& a, int& code) {
+    auto* compare = app.add_subcommand("compare", "the first difference between two checkpoints");
+    compare->add_option("first", a.first, "checkpoint.h5")->required();
+    compare->add_option("second", a.second, "checkpoint.h5")->required();
+    compare->callback([&] { code = compare_checkpoints(a.first, a.second); });
+}
+
+void add_stiffness(CLI::App& app, StiffnessRequest& request) {
+    auto* press = app.add_subcommand("stiffness", "radial stiffness of wheels on a rigid plane");
+    press->add_option("cases", request.case_paths, "case files")->required();
+    press->add_option("-o,--output", request.directory, "directory for stiffness.csv")->required();
+    press->add_option("--load", request.load_N, "load of the secant, N");
+    press->callback([&] { write_stiffness(request); });
+}
+
+void add_stress(CLI::App& app, StressRequest& request) {
+    auto* contact = app.add_subcommand("stress", "contact stress of travels: measurements.csv and data of figures");
+    contact->add_option("runs", request.run_directories, "run directories")->required();
+    contact->add_option("-o,--output", request.directory, "directory for what comes out")->required();
+    contact->add_option("--soil", request.soil_directory, "directory of `ifedem soil`: the semi-empirical wheel too");
+    contact->callback([&] { write_stress(request); });
+}
+
+void add_soil(CLI::App& app, SoilRequest& request) {
+    auto* plates = app.add_subcommand("soil", "soil parameters of the semi-empirical wheel from plate tests");
+    plates->add_option("runs", request.run_directories, "runs of plates under several loads")->required();
+    plates->add_option("-o,--output", request.directory, "directory for what comes out")->required();
+    plates->callback([&] { write_soil(request); });
+}
+
+void add_confined(CLI::App& app, ConfinedRequest& request) {
+    auto* confine = app.add_subcommand("confined", "confined compression of a block of discs and of an element");
+    confine->add_option("case", request.case_path, "case file with soil elements")->required();
+    confine->add_option("-o,--output", request.directory, "directory for confined.csv and measurements.csv")
+        ->required();
+    confine->callback([&] { write_confined(request); });
+}
+
+void add_surface(CLI::App& app, SurfaceRequest& request) {
+    auto* profile = app.add_subcommand("surface", "the soil's surface at the end of a run");
+    profile->add_option("run", request.run, "run directory")->required();
+    profile->add_option("-o,--output", request.output, "CSV file")->required();
+    profile->callback([&] { write_surface(request); });
+}
+
+struct LedgerArguments {
+    std::string conclusions, page;
+    std::vector<std::string> reports;
+};
+
+void add_ledger(CLI::App& app, LedgerArguments& a) {
+    auto* ledger = app.add_subcommand("ledger", "every statement of the text on one page, from reports of chapters");
+    ledger->add_option("conclusions", a.conclusions, "conclusions.csv: what the text concludes and from what")
+        ->required();
+    ledger->add_option("reports", a.reports, "directories chapterN with checks.csv")->required();
+    ledger->add_option("-o,--output", a.page, "directory of index.html and README.md")->required();
+    ledger->callback([&] { write_front_page(a.conclusions, a.reports, a.page); });
+}
+
+void add_watch(CLI::App& app, WatchRequest& request) {
+    auto* follow = app.add_subcommand("watch", "overall progress of a set of runs");
+    follow->add_option("runs", request.directories, "run directories")->required();
+    follow->callback([&] { watch_runs(request); });
+}
+
+/// What the command line fills, by subcommand.
+struct Requests {
+    RunRequest run, stage, resume;
+    SweepRequest sweep;
+    DoubtRequest doubt;
+    FitRequest fit;
+    CalibrateRequest calibrate;
+    CheckArguments check;
+    PictureArguments picture;
+    EffectsArguments effects;
+    PointsArguments points;
+    FindRequest find;
+    CompareArguments compare;
+    StiffnessRequest stiffness;
+    StressRequest stress;
+    SoilRequest soil;
+    ConfinedRequest confined;
+    SurfaceRequest surface;
+    LedgerArguments ledger;
+    WatchRequest watch;
+    std::vector<std::string> sets;  ///< --set of the one subcommand that there is
+};
+
+void add_all(CLI::App& app, Requests& r, int& code) {
+    add_run(app, r.run, r.sets, code);
+    add_stage(app, r.stage, r.sets, code);
+    add_resume(app, r.resume, code);
+    add_sweep(app, r.sweep, r.sets, code);
+    add_doubt(app, r.doubt, r.sets, code);
+    add_fit(app, r.fit, r.sets, code);
+    add_calibrate(app, r.calibrate, r.sets);
+    add_check_and_report(app, r.check, code);
+    add_picture(app, r.picture);
+    add_effects(app, r.effects);
+    add_points(app, r.points);
+    add_find(app, r.find, r.sets);
+    app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
+    add_compare(app, r.compare, code);
+    add_stiffness(app, r.stiffness);
+    add_stress(app, r.stress);
+    add_soil(app, r.soil);
+    add_confined(app, r.confined);
+    add_surface(app, r.surface);
+    add_ledger(app, r.ledger);
+    add_watch(app, r.watch);
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app{"ifedem: finite-element wheels on discrete-element soil, in two dimensions"};
     app.require_subcommand(1);
     app.set_version_flag("--version", fmt::format("ifedem {} (results version {}, {})", program_version(),
                                                   results_version, compiler_name()));
     int code = 0;
-    RunRequest run, stage, resume;
-    std::vector<std::string> run_sets, stage_sets;
-    CheckArguments check;
-    StiffnessRequest stiffness;
-    WatchRequest watch;
-    add_run(app, run, run_sets, code);
-    add_stage(app, stage, stage_sets, code);
-    add_resume(app, resume, code);
-    SweepRequest sweep;
-    std::vector<std::string> sweep_sets;
-    add_sweep(app, sweep, sweep_sets, code);
-    DoubtRequest doubt;
-    std::vector<std::string> doubt_sets;
-    add_doubt(app, doubt, doubt_sets, code);
-    FitRequest fit;
-    std::vector<std::string> fit_sets;
-    add_fit(app, fit, fit_sets, code);
-    CalibrateRequest sand;
-    std::vector<std::string> sand_sets;
-    add_calibrate(app, sand, sand_sets);
-    add_check_and_report(app, check, code);
-    PictureArguments picture;
-    add_picture(app, picture);
-    EffectsArguments effects;
-    add_effects(app, effects);
-    PointsArguments points;
-    add_points(app, points);
-    FindRequest find;
-    std::vector<std::string> find_sets;
-    add_find(app, find, find_sets);
-    app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
-    std::string checkpoint_a, checkpoint_b;
-    auto* compare = app.add_subcommand("compare", "the first difference between two checkpoints");
-    compare->add_option("first", checkpoint_a, "checkpoint.h5")->required();
-    compare->add_option("second", checkpoint_b, "checkpoint.h5")->required();
-    compare->callback([&] { code = compare_checkpoints(checkpoint_a, checkpoint_b); });
-    auto* press = app.add_subcommand("stiffness", "radial stiffness of wheels on a rigid plane");
-    press->add_option("cases", stiffness.case_paths, "case files")->required();
-    press->add_option("-o,--output", stiffness.directory, "directory for stiffness.csv")->required();
-    press->add_option("--load", stiffness.load_N, "load of the secant, N");
-    press->callback([&] { write_stiffness(stiffness); });
-    StressRequest stress;
-    auto* contact = app.add_subcommand("stress", "contact stress of travels: measurements.csv and data of figures");
-    contact->add_option("runs", stress.run_directories, "run directories")->required();
-    contact->add_option("-o,--output", stress.directory, "directory for what comes out")->required();
-    contact->add_option("--soil", stress.soil_directory, "directory of `ifedem soil`: the semi-empirical wheel too");
-    contact->callback([&] { write_stress(stress); });
-    SoilRequest soil;
-    auto* plates = app.add_subcommand("soil", "soil parameters of the semi-empirical wheel from plate tests");
-    plates->add_option("runs", soil.run_directories, "runs of plates under several loads")->required();
-    plates->add_option("-o,--output", soil.directory, "directory for what comes out")->required();
-    plates->callback([&] { write_soil(soil); });
-    ConfinedRequest confined;
-    auto* confine = app.add_subcommand("confined", "confined compression of a block of discs and of an element");
-    confine->add_option("case", confined.case_path, "case file with soil elements")->required();
-    confine->add_option("-o,--output", confined.directory, "directory for confined.csv and measurements.csv")
-        ->required();
-    confine->callback([&] { write_confined(confined); });
-    SurfaceRequest surface;
-    auto* profile = app.add_subcommand("surface", "the soil's surface at the end and at the beginning of a run");
-    profile->add_option("run", surface.run, "run directory")->required();
-    profile->add_option("-o,--output", surface.output, "CSV file")->required();
-    profile->callback([&] { write_surface(surface); });
-    std::string conclusions, page;
-    std::vector<std::string> reports;
-    auto* ledger = app.add_subcommand("ledger", "every statement of the text on one page, from reports of chapters");
-    ledger->add_option("conclusions", conclusions, "conclusions.csv: what the text concludes and from what")
-        ->required();
-    ledger->add_option("reports", reports, "directories chapterN with checks.csv")->required();
-    ledger->add_option("-o,--output", page, "directory of index.html and README.md")->required();
-    ledger->callback([&] { write_front_page(conclusions, reports, page); });
-    auto* follow = app.add_subcommand("watch", "overall progress of a set of runs");
-    follow->add_option("runs", watch.directories, "run directories")->required();
-    follow->callback([&] { watch_runs(watch); });
+    Requests requests;
+    add_all(app, requests, code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
