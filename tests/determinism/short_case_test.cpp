@@ -119,6 +119,8 @@ TEST_F(ShortCase, ResumesFromTwentySteps) {
         "--set", "travel.distance_m=0.002",    "--set", "travel.acceleration_time_s=0.04"};
     ASSERT_EQ(wait(start(run_arguments("whole", brief))), 0);
     const auto steps = static_cast<std::uint32_t>(std::stoul(run_value(root_ / "whole", "total_steps")));
+    const std::string hash = run_value(root_ / "whole", "state_hash");
+    ASSERT_GE(hash.size(), 16U);
     std::minstd_rand draw(1);
     for (int n = 0; n < 20; ++n) {
         const std::string step = std::to_string(1 + draw() % (steps - 1)), name = "stopped-" + step;
@@ -129,8 +131,7 @@ TEST_F(ShortCase, ResumesFromTwentySteps) {
         ASSERT_EQ(wait(start({"resume", (root_ / name).string(), "--stages", (root_ / (name + "-stages")).string(),
                               "--quiet"})),
                   0);
-        EXPECT_EQ(run_value(root_ / name, "state_hash"), run_value(root_ / "whole", "state_hash"))
-            << "stopped at step " << step << " of " << steps;
+        EXPECT_EQ(run_value(root_ / name, "state_hash"), hash) << "stopped at step " << step << " of " << steps;
         fs::remove_all(root_ / name);
     }
 }

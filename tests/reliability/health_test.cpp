@@ -51,7 +51,7 @@ TEST(Health, StopsAStepTooLargeForTheContacts) {
     // 2/√(2K/m) of the smallest discs is 2.6e-4 s (closed form of an isolated pair); a bed has less.
     const Outcome o = run_with("--set time_step_s=5e-4");
     EXPECT_EQ(o.code, 3) << o.text;
-    EXPECT_NE(o.text.find("disc"), std::string::npos) << o.text;
+    EXPECT_NE(o.text.find("cause: contact-step"), std::string::npos) << o.text;
 }
 
 TEST(Health, RefusesAStepBeyondALimit) {
@@ -67,6 +67,7 @@ TEST(Health, StopsAnOverloadedWheel) {
     const Outcome o = run_with("--set wheel.load_N=20000");
     EXPECT_EQ(o.code, 3) << o.text;
     EXPECT_NE(o.text.find("stopped at step "), std::string::npos) << o.text;
+    EXPECT_NE(o.text.find("cause: element-overload"), std::string::npos) << o.text;
 }
 
 TEST(Health, StopsAWheelThatItsControllerLost) {

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <limits>
 
 #include "step/frozen_mode.hpp"
+#include "step/health.hpp"
 #include "step/stable_phase.hpp"
 #include "support/growth.hpp"
 #include "support/soil_scenes.hpp"
@@ -185,6 +187,14 @@ TEST(Limits, OfTheExplicitDrawbarLoopIsTwiceTheHubsMassOverTheGain) {
         }
     }
     EXPECT_EQ(found, 3);
+}
+
+TEST(Violation, OfWhatIsNotANumberHasNoLimit) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(to_text({120, Cause::not_a_number, "disc 5 is not a number", nan, 0, "Look."}),
+              "stopped at step 120: disc 5 is not a number (value nan; cause: not-a-number). Look.");
+    EXPECT_EQ(to_text({120, Cause::lost_disc, "disc 5 has left the bin", -2, -1, "Look."}),
+              "stopped at step 120: disc 5 has left the bin (value -2, limit -1; cause: lost-disc). Look.");
 }
 
 TEST(Limits, NameThePartAtFaultBeforeTheWhole) {

@@ -94,10 +94,10 @@ TEST_F(ShearBoxTest, CarriesTheLidsStressAndKeepsTheSandIn) {
     Case sand;
     const ShearTest t = shear_directly(sand, {200, 0.05}, 1e4, 0.02);
     ASSERT_EQ(t.shear_Pa.size(), 20U);
-    // The walls' friction holds some of the lid's load, or adds to it.
-    EXPECT_NEAR(t.normal_Pa, 1e4, 4e3);
-    EXPECT_GT(t.shear_Pa.back(), 2e3);
-    EXPECT_LT(t.shear_Pa.back(), 2e4);
+    // The walls' friction holds some of the lid's load, or adds to it: −2 to +7 % over three packings.
+    EXPECT_NEAR(t.normal_Pa, 1e4, 1.5e3);
+    // Dense sand on its way to the peak: 1.0 of the normal stress over the same packings.
+    EXPECT_NEAR(t.shear_Pa.back() / t.normal_Pa, 1, 0.25);
 }
 
 TEST_F(PlateTest, MeetsMoreTheDeeperItGoes) {
