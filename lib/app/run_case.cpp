@@ -47,12 +47,16 @@ std::uint64_t steps_in(double seconds, double step_s) {
 
 bool is_due(std::uint64_t step, std::uint64_t interval) { return interval > 0 && step % interval == 0; }
 
+double time_s(const Scene& scene, const State& state) {
+    return static_cast<double>(state.progress.step) * scene.dem.step_s;
+}
+
 SeriesRow take_series_row(const Scene& scene, State& state, const Workspace& work) {
     const SeriesSums s = state.series;
     state.series = {};
     const double n = s.steps;
     SeriesRow row;
-    row.time_s = static_cast<double>(state.progress.step) * scene.dem.step_s;
+    row.time_s = time_s(scene, state);
     row.stage = scene.stage;
     row.wheel_x_m = state.wheel.rim.position_m.x;
     row.sinkage_m = state.wheel.rim.position_m.y - state.touch_position_m.y;
@@ -78,8 +82,7 @@ SeriesRow take_series_row(const Scene& scene, State& state, const Workspace& wor
 
 Frame take_frame(const Scene& scene, const State& state, const Workspace& work) {
     const DiscFields fields = measure_fields(scene, state, work);
-    return make_frame(state, static_cast<double>(state.progress.step) * scene.dem.step_s,
-                      {fields.speed_m_s, fields.pressure_Pa});
+    return make_frame(state, time_s(scene, state), {fields.speed_m_s, fields.pressure_Pa});
 }
 
 double cpu_seconds() {
@@ -166,6 +169,65 @@ void refuse_unstable_case(const LiveRun& run) {
         fail_input(explain_excess(*worst, run.c.time_step_s) + " --allow-unstable runs it all the same.");
 }
 
+/// How often a stage does what, in steps; 0: never.
+struct Intervals {
+    std::uint64_t series = 0, frame = 0, checkpoint = 0, energy = 0;
+};
+
+Intervals find_intervals(const Case& c) {
+    const double dt = c.time_step_s;
+    Intervals every{steps_in(c.record.series_interval_s, dt), steps_in(c.record.frame_interval_s, dt),
+                    steps_in(c.record.checkpoint_interval_s, dt), 0};
+    // The account needs velocities at half steps.
+    if (c.integrator == Integrator::symplectic_euler) every.energy = steps_in(c.record.energy_interval_s, dt);
+    return every;
+}
+
+void add_frame(LiveRun& run, const Scene& scene, const Workspace& work) {
+    run.recorder->add_frame(take_frame(scene, run.state, work));
+    if (scene.has_soil_elements())
+        add_soil_frame(run.request.directory, run.state.soil, time_s(scene, run.state), scene.soil.columns);
+}
+
+/// At the beginning of the travel, or where it is taken up.
+void begin_records(LiveRun& run, const Scene& scene, const Workspace& work) {
+    const bool resumed = run.state.progress.step > 0;
+    if (scene.has_soil_elements() && resumed)
+        drop_soil_frames_after(run.request.directory, time_s(scene, run.state));
+    else if (scene.has_soil_elements())
+        start_soil_frames(run.request.directory);  // a run taken up before its travel may have left some
+    if (!resumed) add_frame(run, scene, work);
+}
+
+/// What belongs to the travel's step just made, and to its last one in any case.
+void record_step(LiveRun& run, const Scene& scene, const Workspace& work, const Intervals& every, std::uint64_t last) {
+    const std::uint64_t at = run.state.progress.step;
+    if (is_due(at, every.series) || at == last) run.recorder->add_series(take_series_row(scene, run.state, work));
+    if (is_due(at, every.frame) || at == last) add_frame(run, scene, work);
+    if (at == last && run.c.record.final_stress == FinalStress::write)
+        write_file_atomically(run.request.directory + "/stress.csv", stress_csv(scene, run.state, work));
+}
+
+/// One step, with the energy account where a sample is due. False: a check has failed.
+bool advance(LiveRun& run, const Scene& scene, Workspace& work, HealthWatch& watch, std::uint64_t energy_interval) {
+    State& state = run.state;
+    if (!is_due(state.progress.step + 1, energy_interval)) {
+        step(scene, state, work);
+        return true;
+    }
+    const double interval_s = static_cast<double>(energy_interval) * scene.dem.step_s;
+    const EnergyFlow flow = step_and_measure(scene, state, work);
+    add_to_ledger(state.energy, flow, interval_s);
+    run.violation = check_budget(scene, state, work, flow, interval_s, watch);
+    return !run.violation;
+}
+
+bool is_healthy(LiveRun& run, const Scene& scene, const Workspace& work, HealthWatch& watch) {
+    run.violation = check_health(scene, run.state, work, watch);
+    if (!run.violation) run.violation = check_rest(scene, run.state, work, watch);
+    return !run.violation;
+}
+
 /// Steps through one stage. False: stopped by a signal or a health check.
 bool run_stage(LiveRun& run, Stage stage) {
     const Scene scene = make_scene(run.c, stage);
@@ -175,56 +237,22 @@ bool run_stage(LiveRun& run, Stage stage) {
     const KeepProfile keep{work.profile, run.profile};
     HealthWatch watch = begin_watch(scene, run.state);
     if (!accept_step(run, scene, watch)) return false;
-    State& state = run.state;
-    const double dt = scene.dem.step_s;
+    const Progress& progress = run.state.progress;
     const std::uint64_t last = steps_of_stage(run.c, stage);
-    const std::uint64_t series = steps_in(run.c.record.series_interval_s, dt);
-    const std::uint64_t frame = steps_in(run.c.record.frame_interval_s, dt);
-    const std::uint64_t checkpoint = steps_in(run.c.record.checkpoint_interval_s, dt);
-    const std::uint64_t energy = run.c.integrator == Integrator::symplectic_euler
-                                     ? steps_in(run.c.record.energy_interval_s, dt)
-                                     : 0;  // the account needs velocities at half steps
+    const Intervals every = find_intervals(run.c);
     const bool recorded = stage == Stage::travel && run.recorder != nullptr;
-    const auto add_frame = [&] {
-        run.recorder->add_frame(take_frame(scene, state, work));
-        if (scene.has_soil_elements())
-            add_soil_frame(run.request.directory, state.soil, static_cast<double>(state.progress.step) * dt,
-                           scene.soil.columns);
-    };
-    if (recorded && scene.has_soil_elements()) {
-        if (state.progress.step == 0)
-            start_soil_frames(run.request.directory);  // a run taken up before its travel may have left some
-        else
-            drop_soil_frames_after(run.request.directory, static_cast<double>(state.progress.step) * dt);
-    }
-    if (recorded && state.progress.step == 0) add_frame();
-    const std::uint64_t offset = state.progress.step;
-    const std::uint64_t already = run.steps_made;
-    while (state.progress.step < last) {
-        if (is_due(state.progress.step + 1, energy)) {
-            const double interval_s = static_cast<double>(energy) * dt;
-            const EnergyFlow flow = step_and_measure(scene, state, work);
-            add_to_ledger(state.energy, flow, interval_s);
-            run.violation = check_budget(scene, state, work, flow, interval_s, watch);
-            if (run.violation) return false;
-        } else {
-            step(scene, state, work);
+    if (recorded) begin_records(run, scene, work);
+    while (progress.step < last) {
+        if (!advance(run, scene, work, watch, every.energy)) return false;
+        ++run.steps_made;
+        const bool at_end = progress.step == last;
+        if (is_due(progress.step, health_interval) || at_end) {
+            if (!is_healthy(run, scene, work, watch)) return false;
+            if (run.progress) run.progress->show(run.steps_made, progress_note(run.state));
         }
-        const std::uint64_t at = state.progress.step;
-        run.steps_made = already + at - offset;
-        if (is_due(at, health_interval) || at == last) {
-            run.violation = check_health(scene, state, work, watch);
-            if (!run.violation) run.violation = check_rest(scene, state, work, watch);
-            if (run.violation) return false;
-            if (run.progress) run.progress->show(run.steps_made, progress_note(state));
-        }
-        if (recorded && (is_due(at, series) || at == last))
-            run.recorder->add_series(take_series_row(scene, state, work));
-        if (recorded && (is_due(at, frame) || at == last)) add_frame();
-        if (recorded && at == last && run.c.record.final_stress == FinalStress::write)
-            write_file_atomically(run.request.directory + "/stress.csv", stress_csv(scene, state, work));
-        if (is_due(at, checkpoint) && at != last) write_run_checkpoint(run);
-        if (signal_seen != 0 || state.progress.total_steps == run.request.stop_at_step) {
+        if (recorded) record_step(run, scene, work, every, last);
+        if (is_due(progress.step, every.checkpoint) && !at_end) write_run_checkpoint(run);
+        if (signal_seen != 0 || progress.total_steps == run.request.stop_at_step) {
             write_run_checkpoint(run);
             return false;
         }
