@@ -1,6 +1,8 @@
 // Chapter 4's way through the program: a travel that averages contact forces, `stress`, `soil`.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -109,6 +111,11 @@ TEST(StressProgram, identities_hold_in_a_travel) {
         EXPECT_FALSE(read_text(small.scratch.file(std::string("out/") + name)).empty()) << name;
 }
 
+/// Lines NAME_sSLIP: a claim of NAME over slips is a curve through them.
+std::ptrdiff_t count_slips(const std::map<std::string, double>& measured, const std::string& name) {
+    return std::ranges::count_if(measured, [&](const auto& line) { return line.first.starts_with(name + "_s"); });
+}
+
 // A claim that names what nobody measures would wait for ever as not-computable.
 TEST(StressProgram, measures_all_that_the_claims_name) {
     const SmallRun small;
@@ -121,10 +128,12 @@ TEST(StressProgram, measures_all_that_the_claims_name) {
     auto measured = read_measures(small.scratch.file("out/measurements.csv"));
     // What the sensitivity runs measure: how the controllers follow with other gains.
     std::string gains = "sh " IFEDEM_SOURCE_DIR "/reproductions/chapter4/gains.sh " + small.scratch.file("gains");
-    const std::string proportional = "--set control.drawbar.proportional_N_m=",
-                      integral = "--set control.drawbar.integral_N_m_s=";
-    for (const auto& [name, change] : std::map<std::string, std::string>{
-             {"atext", ""}, {"drawbarI10", integral + "1e5"}, {"drawbarP10", proportional + "1e7"}}) {
+    for (const auto& [name, change] :
+         std::map<std::string, std::string>{{"atext", ""},
+                                            {"drawbarI10", "--set control.drawbar.integral_N_m_s=1e5"},
+                                            {"drawbarP10", "--set control.drawbar.proportional_N_m=1e5"},
+                                            {"torqueI10", "--set control.torque.integral_Nm_rad_s=1e4"},
+                                            {"torqueP10", "--set control.torque.proportional_Nm_rad=1e4"}}) {
         ASSERT_EQ(small.run(name, change), 0);
         gains += " " + small.scratch.file(name);
     }
@@ -139,7 +148,7 @@ TEST(StressProgram, measures_all_that_the_claims_name) {
         if (from == std::string::npos) continue;
         const std::string name = line.substr(from + 9, line.find(',', from) - from - 9);
         ++named;
-        EXPECT_TRUE(measured.contains(name) || too_small.contains(name)) << name;
+        EXPECT_TRUE(measured.contains(name) || count_slips(measured, name) >= 3 || too_small.contains(name)) << name;
     }
     EXPECT_GT(named, 30U);
 }
