@@ -2,6 +2,7 @@
 # 0, 20 and 60 % slip, against the campaign's runs of the same packing and lug phase. Two readings of the text are whole condition
 # sets: damping against the absolute velocity with half the chord, eight realisations at 60 % on Earth and on Mars.
 #   make -f reproductions/chapter3/sensitivity.mk sensitivity
+#   make -f reproductions/chapter3/sensitivity.mk literal        that second reading alone, sixteen travels
 
 CHAPTER := reproductions/chapter3
 SWEEP   := $(CHAPTER)/sensitivity.mk
@@ -40,16 +41,22 @@ OWN_BED := zeta01 zeta04 half sign attraction bed14 bed18 discwalls step2 both
 # WHAT-PLANET-sSLIP-rREALISATION; what says most first. A travel at 10 mm/s takes ten times as long: half the way, once.
 ONE_BY_ONE := half absolute layer15 layer25 zeta01 zeta04 lug3 lug9 gap10 gap30 lugtip bed14 bed18 discwalls undamped damped20 \
               sign attraction explicit rings step2
-RUNS := $(foreach r,1 2 3 4 5 6 7 8,both-earth-s60-r$(r) both-mars-s60-r$(r)) both-earth-s0-r1 both-earth-s20-r1 \
-        $(foreach w,$(ONE_BY_ONE),$(foreach s,60 20 0,$(w)-earth-s$(s)-r1)) slow-earth-s60-r1
+LITERAL := $(foreach r,1 2 3 4 5 6 7 8,both-earth-s60-r$(r) both-mars-s60-r$(r))
+RUNS := $(LITERAL) both-earth-s0-r1 both-earth-s20-r1 $(foreach w,$(ONE_BY_ONE),$(foreach s,60 20 0,$(w)-earth-s$(s)-r1)) slow-earth-s60-r1
 
-.PHONY: sensitivity
+.PHONY: sensitivity literal
 sensitivity:
 	@$(MAKE) --no-print-directory -k -j$(JOBS) -f $(CHAPTER)/chapter.mk $(addsuffix /run.csv,$(DEFAULTS))
 	-@$(MAKE) --no-print-directory -f $(SWEEP) sweep
 	@$(IFEDEM) effects --defaults $(DEFAULTS) --variants $(fresh_runs) -o $(OUT)
 	@mkdir -p build/reports/chapter3 && cp $(OUT)/effects.csv build/reports/chapter3/effects.csv
 	@echo "table: build/reports/chapter3/effects.csv; make reproduce-chapter3 puts it into the report"
+
+literal:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) sweep RUNS="$(LITERAL)"
+	@mkdir -p build/reports/chapter3
+	@$(IFEDEM) metrics $(wildcard $(addprefix $(OUT)/,$(LITERAL))) -o build/reports/chapter3/literal.csv
+	@echo "table: build/reports/chapter3/literal.csv"
 
 include $(CHAPTER)/sweep.mk
 
