@@ -162,6 +162,12 @@ const Measurement* find_measurement(const Campaign& campaign, const std::string&
     return nullptr;
 }
 
+std::optional<double> uncertainty_of(const Measurement& m, double reading) {
+    if (m.uncertainty) return std::hypot(*m.uncertainty, reading);
+    if (m.n > 1) return prediction_uncertainty(m.scatter, static_cast<double>(m.n - 1), m.n, reading);
+    return std::nullopt;
+}
+
 bool is_on(const Curve& curve, const Condition& condition) {
     return condition.wheel == curve.wheel && condition.gravity == curve.gravity &&
            std::abs(condition.load_N - curve.load_N) < 1e-9;

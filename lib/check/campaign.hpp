@@ -80,6 +80,10 @@ struct Campaign {
 /// nullptr if nothing of this name was measured.
 [[nodiscard]] const Measurement* find_measurement(const Campaign& campaign, const std::string& name);
 
+/// U of a measurement with that of reading the text's number: its own, or by scatter and n; nothing where a single
+/// value tells neither.
+[[nodiscard]] std::optional<double> uncertainty_of(const Measurement& m, double reading);
+
 /// What one curve over slip stands for.
 struct Curve {
     std::string wheel;

@@ -151,12 +151,8 @@ std::variant<Quantity, Missing> measured(const Judge& j) {
         is_read ? reading_uncertainty(j.out.reference_text, j.out.units, j.claim.first_gravity()) : 0;
     Quantity q{m->value, m->scatter, 0, m->n, m->note};
     j.out.units = m->units;
-    if (m->uncertainty)
-        q.uncertainty = std::hypot(*m->uncertainty, reading);
-    else if (m->n > 1)
-        q.uncertainty = prediction_uncertainty(m->scatter, static_cast<double>(m->n - 1), m->n, reading);
-    else if (!j.claim.tolerance)
-        q.uncertainty = std::numeric_limits<double>::infinity();
+    q.uncertainty =
+        uncertainty_of(*m, reading).value_or(j.claim.tolerance ? 0.0 : std::numeric_limits<double>::infinity());
     return q;
 }
 

@@ -66,9 +66,7 @@ std::variant<TrendPoints, Missing> measured_points(const Campaign& campaign, con
         points.mean.push_back(m->value);
         points.n.push_back(n);
         points.weight.push_back(m->scatter > 0 ? n / (m->scatter * m->scatter) : n);
-        points.uncertainty.push_back(m->uncertainty ? *m->uncertainty
-                                     : m->n > 1     ? prediction_uncertainty(m->scatter, n - 1, m->n, 0)
-                                                    : std::numeric_limits<double>::infinity());
+        points.uncertainty.push_back(uncertainty_of(*m, 0).value_or(std::numeric_limits<double>::infinity()));
         points.runs += m->n;
     }
     return points;

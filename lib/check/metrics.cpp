@@ -18,18 +18,13 @@ namespace {
 // the window's end has travelled it. What is missing is cut off, not invented.
 constexpr double end_slack_m = 0.02;
 
-const std::vector<double>* find_column(const Run& run, const std::string& name) {
-    const auto found = run.travel.find(name);
-    return found == run.travel.end() ? nullptr : &found->second;
-}
-
 const std::vector<double>& column(const Run& run, const std::string& name) {
-    const auto* values = find_column(run, name);
-    if (!values || values->size() < 2)
+    const auto found = run.travel.find(name);
+    if (found == run.travel.end() || found->second.size() < 2)
         fail_input(
             fmt::format("{}/series.csv: column {} holds no travel (the run did not reach it). Run or resume the case.",
                         run.directory, name));
-    return *values;
+    return found->second;
 }
 
 /// When the wheel first was at this distance, interpolated.
