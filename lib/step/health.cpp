@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "fem/corotation.hpp"
+
 namespace ifedem {
 namespace {
 
@@ -185,10 +187,17 @@ std::optional<Symptom> check_inside(const Scene& scene, const State& state) {
     return std::nullopt;
 }
 
+Symptom tell_inverted(std::string_view what, std::uint32_t name, const Element& e, std::span<const Vec2> position_m) {
+    return {Cause::element_overload,
+            fmt::format("{} element {} is inverted: least Jacobian of its corners in m²", what, name),
+            smallest_corner_jacobian_m2(corners(e, position_m)), 0};
+}
+
 std::optional<Symptom> check_soil(const State& state, const SoilWorkspace& work) {
-    const auto e = find_inverted(work.elements, state.soil.position_m);
+    const std::span<const Vec2> position_m = state.soil.position_m;
+    const auto e = find_inverted(work.elements, position_m);
     if (!e) return std::nullopt;
-    return Symptom{Cause::element_overload, fmt::format("soil element {} is inverted", work.block[*e]), 0, 0};
+    return tell_inverted("soil", work.block[*e], work.elements.element[*e], position_m);
 }
 
 /// Routh: m s³ + K_d s² + K_p s + K_i has growing solutions if K_i m > K_p K_d, whatever the step.
@@ -222,7 +231,7 @@ std::optional<Symptom> check_wheel(const Scene& scene, const State& state) {
             return Symptom{Cause::not_a_number, fmt::format("wheel node {} is not a number", n), sum, 0};
     if (!scene.wheel.free_node.empty())
         if (const auto e = find_inverted(scene.wheel.elements, state.wheel.position_m))
-            return Symptom{Cause::element_overload, fmt::format("wheel element {} is inverted", *e), 0, 0};
+            return tell_inverted("wheel", *e, scene.wheel.elements.element[*e], state.wheel.position_m);
     double bottom = 1e300;
     for (const std::uint32_t n : scene.wheel.mesh.boundary) bottom = min_of(bottom, state.wheel.position_m[n].y);
     const double layer = 2 * scene.dem.smallest_radius_m;

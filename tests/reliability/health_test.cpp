@@ -67,6 +67,7 @@ TEST(Health, StopsAnOverloadedWheel) {
     const Outcome o = run_with("--set wheel.load_N=20000");
     EXPECT_EQ(o.code, 3) << o.text;
     EXPECT_NE(o.text.find("stopped at step "), std::string::npos) << o.text;
+    EXPECT_NE(o.text.find("is inverted: least Jacobian of its corners in m² (value -"), std::string::npos) << o.text;
     EXPECT_NE(o.text.find("cause: element-overload"), std::string::npos) << o.text;
 }
 
