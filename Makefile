@@ -41,9 +41,9 @@ test: build ## unit, verification, stability, determinism and reliability tests
 test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
 	@tests/determinism/run_matrix.sh $(MATRIX)
 
-.PHONY: test-all test-reliability test-privileged test-tsan fuzz check-pages check-paraview front-page docs
+.PHONY: test-all test-reliability test-privileged test-tsan fuzz check-pages check-paraview front-page docs tidy
 # Each in turn, all of them whatever fails, and one line a part at the end.
-ALL_TESTS := test test-determinism test-reliability test-privileged sanitize test-tsan fuzz quick-chapter2 quick-chapter3 quick-chapter4 quick-chapter5 quick-chapter6 quick-speed-accuracy verify-reports check-pages check-paraview
+ALL_TESTS := test tidy test-determinism test-reliability test-privileged sanitize test-tsan fuzz quick-chapter2 quick-chapter3 quick-chapter4 quick-chapter5 quick-chapter6 quick-speed-accuracy verify-reports check-pages check-paraview
 test-all: ## everything that can be tested, in two hours or so: what CI leaves out too
 	@failed=; for t in $(ALL_TESTS); do $(MAKE) --no-print-directory $$t || failed="$$failed $$t"; done; \
 	for t in $(ALL_TESTS); do case " $$failed " in *" $$t "*) echo "FAILED  $$t";; *) echo "passed  $$t";; esac; done; [ -z "$$failed" ]
@@ -131,6 +131,11 @@ front-page: build ## reports/index.html and README.md from the committed reports
 docs: ## the library's documentation by Doxygen: build/docs/html/index.html
 	@dpkg -s doxygen > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends doxygen; }
 	@mkdir -p $(BUILD)/docs && doxygen lib/Doxyfile
+
+tidy: build ## clang-format over all code, clang-tidy over the library (six minutes on two cores)
+	@find lib tests reproductions -name '*.?pp' | xargs clang-format --dry-run -Werror
+	@dpkg -s clang-tidy > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends clang-tidy; }
+	@ls lib/*/*.cpp | xargs -P $(JOBS) -I{} clang-tidy -p $(BUILD) --quiet {} 2> /dev/null
 
 check: build ## what a contributor runs before a commit: format, tests
 	@find lib tests reproductions -name '*.?pp' | xargs clang-format --dry-run -Werror

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace ifedem {
 
 std::string to_duration(double seconds) {
-    const auto s = static_cast<long>(seconds + 0.5);
+    const auto s = std::lround(seconds);
     if (s >= 3600) return fmt::format("{} h {:02d} min", s / 3600, s / 60 % 60);
     if (s >= 60) return fmt::format("{} min {:02d} s", s / 60, s % 60);
     return fmt::format("{} s", s);

@@ -326,7 +326,7 @@ void draw_last_frame(const std::string& directory) {
 int finish(LiveRun& run) {
     const Spent spent = measure_spent(run);
     const std::string hash = to_hex(hash_state(run.state));
-    const double particles = static_cast<double>(run.state.discs.disc.size());
+    const auto particles = static_cast<double>(run.state.discs.disc.size());
     const double particle_steps = particles * static_cast<double>(spent.steps);
     const double ns = particle_steps > 0 ? 1e9 * spent.cpu_s / particle_steps : 0;
     if (run.recorder) {
@@ -398,9 +398,9 @@ void watch_signals() {
 bool is_unused(const fs::path& directory) {
     if (!fs::exists(directory)) return true;
     if (!fs::is_directory(directory)) return false;
-    for (const auto& entry : fs::directory_iterator(directory))
-        if (entry.path().filename() != DirectoryLock::file_name) return false;
-    return true;
+    return std::ranges::all_of(fs::directory_iterator(directory), [](const fs::directory_entry& entry) {
+        return entry.path().filename() == DirectoryLock::file_name;
+    });
 }
 
 void refuse_directory(const RunRequest& request) {

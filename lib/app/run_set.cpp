@@ -109,6 +109,7 @@ std::vector<int> make_runs(const std::vector<WantedRun>& runs, const RunSetOptio
     for (const std::vector<Arguments>& calls : list_preparations(runs, options)) {
         if (!calls.empty()) fmt::print(stderr, "preparing {} beds or sunk wheels\n", calls.size());
         (void)run_children(calls, options.jobs);  // one that fails fails again, and is told of, as a run
+        // NOLINTNEXTLINE(modernize-return-braced-init-list): braces would be two elements
         if (signal_of_children() != 0) return std::vector<int>(runs.size(), -1);
     }
     return make_travels(runs, options);

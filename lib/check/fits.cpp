@@ -1,6 +1,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
+#include <gsl/gsl_poly.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +26,7 @@ using Workspace = std::unique_ptr<gsl_multifit_linear_workspace, Free>;
 }  // namespace
 
 double PolynomialFit::at(double x) const {
-    double y = 0;
-    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) y = y * x + *c;
-    return y;
+    return gsl_poly_eval(coefficients.data(), static_cast<int>(coefficients.size()), x);
 }
 
 PolynomialFit fit_polynomial(std::span<const double> x, std::span<const double> y, std::span<const double> weights,

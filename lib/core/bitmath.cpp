@@ -92,6 +92,7 @@ constexpr std::array<TwoPart, 9> atan_of_eighths{{{0.0, 0.0},
 /// atan(small/large) for 0 ≤ small ≤ large, 0 < large: atan(c) + atan((small − c·large) / (large + c·small)) with c the
 /// nearest eighth, so that the series runs over |u| ≤ 1/16.
 TwoPart atan_of_ratio(double small, double large) {
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): half-way either neighbour does, and lround is a call
     const auto eighth = static_cast<std::size_t>(8.0 * (small / large) + 0.5);
     const double c = 0.125 * static_cast<double>(eighth);
     const double u = (small - c * large) / (large + c * small);

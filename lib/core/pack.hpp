@@ -20,15 +20,15 @@ template <int W>
 struct RawVector;
 template <>
 struct RawVector<2> {
-    typedef double Type __attribute__((vector_size(16)));
+    using Type __attribute__((vector_size(16))) = double;
 };
 template <>
 struct RawVector<4> {
-    typedef double Type __attribute__((vector_size(32)));
+    using Type __attribute__((vector_size(32))) = double;
 };
 template <>
 struct RawVector<8> {
-    typedef double Type __attribute__((vector_size(64)));
+    using Type __attribute__((vector_size(64))) = double;
 };
 
 template <int W>
@@ -56,7 +56,7 @@ struct Pack {
 #if defined(__SSE2__)
             return {FromRaw{}, static_cast<Raw>(_mm_sqrt_pd(a.v))};
 #endif
-        } else if constexpr (W == 4) {
+        } else if constexpr (W == 4) {  // NOLINT(bugprone-branch-clone): empty where the instruction is not for all
 #if defined(__AVX__)
             return {FromRaw{}, static_cast<Raw>(_mm256_sqrt_pd(a.v))};
 #endif

@@ -252,15 +252,15 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
     auto& p = state.pairs;
     note_inner_references(state);
     const bool rolling_springs = !work.rolling_Nm.empty();
-    std::size_t kept = 0, old = 0;
+    std::size_t kept = 0, old_end = 0;
     for (Block& block : work.block) {
         block.pair_begin = static_cast<std::uint32_t>(kept);
         kept = choose_inner_pairs(block, state, work, kept);
         block.pair_end = static_cast<std::uint32_t>(kept);
-        const std::size_t begin = old;
-        while (old < p.inner.size() && p.inner[old] < block.outer_end) ++old;
-        carry_springs(block, begin, old, p, p.tangential_m, work, work.next_spring_m);
-        if (rolling_springs) carry_springs(block, begin, old, p, work.rolling_Nm, work, work.next_rolling_Nm);
+        const std::size_t old_begin = old_end;
+        while (old_end < p.inner.size() && p.inner[old_end] < block.outer_end) ++old_end;
+        carry_springs(block, old_begin, old_end, p, p.tangential_m, work, work.next_spring_m);
+        if (rolling_springs) carry_springs(block, old_begin, old_end, p, work.rolling_Nm, work, work.next_rolling_Nm);
     }
     for (auto* list : {&work.i, &work.j, &work.next_inner}) list->resize(kept);
     for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(kept);

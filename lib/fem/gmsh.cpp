@@ -47,7 +47,7 @@ public:
     /// Physical and entity tags may be negative.
     std::int64_t tag(const char* what) { return number<std::int64_t>(what); }
     double real(const char* what) {
-        const double value = number<double>(what);
+        const auto value = number<double>(what);
         if (!std::isfinite(value)) fail(fmt::format("{} is not finite. Save the mesh again?", what));
         return value;
     }

@@ -27,7 +27,7 @@ constexpr double size_tolerance = 0.01;  // of a radius that the case and the me
 }
 
 Part find_part(const std::string& group, const std::string& name) {
-    const auto found = std::ranges::find(part_names, std::string_view(group));
+    const auto* const found = std::ranges::find(part_names, std::string_view(group));
     if (found == part_names.end())
         fail_mesh(name, fmt::format("physical surface \"{}\" is no part of a wheel (these are rim, intermediate, "
                                     "surface, lug). Rename it?",

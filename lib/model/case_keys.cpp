@@ -59,6 +59,7 @@ constexpr Range whole(double low, double high) { return {low, high, true, true};
 constexpr Range poisson{-1, 0.5, false, false};
 
 // The one spelling of a key is its member's, so a macro: name and member cannot part.
+// NOLINTBEGIN(bugprone-macro-parentheses): names of members cannot stand in parentheses
 #define IFEDEM_NAMED_KEY(name, unit, range, meaning, member)                          \
     Key {                                                                             \
         name, unit, range, meaning, [](Case& c) -> Slot { return slot_of(c.member); } \
@@ -69,6 +70,7 @@ constexpr Range poisson{-1, 0.5, false, false};
         IFEDEM_KEY(member.poisson, "-", poisson, "Poisson's ratio of " part),           \
         IFEDEM_KEY(member.density_kg_m3, "kg/m³", above_zero(1e6), "density of " part), \
         IFEDEM_KEY(member.damping_1_s, "1/s", from_zero(1e6), "damping per unit mass (Eq 2.3) of " part)
+// NOLINTEND(bugprone-macro-parentheses)
 
 constexpr std::array keys{
     IFEDEM_KEY(name, "", any, "names the case in reports"),
@@ -271,8 +273,9 @@ std::string write_list(const std::vector<double>& values) {
 std::span<const Key> case_keys() { return keys; }
 
 const Key* find_key(std::string_view name) {
-    const auto found = std::find_if(keys.begin(), keys.end(), [name](const Key& key) { return key.name == name; });
-    return found == keys.end() ? nullptr : &*found;
+    const auto* const found =
+        std::find_if(keys.begin(), keys.end(), [name](const Key& key) { return key.name == name; });
+    return found == keys.end() ? nullptr : found;
 }
 
 bool is_table(std::string_view name) {

@@ -125,7 +125,9 @@ Trouble store(const Key& key, std::int64_t* member, const toml::node& node) {
 }
 
 /// On one line, so that it reads back as it was written.
-bool is_one_line(std::string_view text) { return !find_bad_text(text) && text.find_first_of("\n\t") == text.npos; }
+bool is_one_line(std::string_view text) {
+    return !find_bad_text(text) && text.find_first_of("\n\t") == std::string_view::npos;
+}
 
 Trouble store(const Key& key, std::string* member, const toml::node& node) {
     if (!node.is_string()) return say_wrong_type(key, member, node);

@@ -167,7 +167,7 @@ void for_each_cost(S& spent, F&& f) {
 hdf5::Properties memory_access(const std::string& path) {
     constexpr std::size_t growth = std::size_t{1} << 20;
     hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "prepare", path);
-    check(H5Pset_fapl_core(access, growth, 0), "prepare", path);
+    check(H5Pset_fapl_core(access, growth, false), "prepare", path);
     return access;
 }
 

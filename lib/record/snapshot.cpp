@@ -29,7 +29,7 @@ constexpr std::array<const char*, 4> part_fill = {"#8d99ae", "#edf2f4", "#b7bcc6
 
 bool is_visible(const Frame& frame, std::size_t k, const SnapshotOptions& options) {
     const Vec2 at = frame.disc_position_m[k];
-    const double radius = static_cast<double>(frame.disc_radius_m[k]);
+    const auto radius = static_cast<double>(frame.disc_radius_m[k]);
     return at.x + radius > options.x_min_m && at.x - radius < options.x_max_m && at.y + radius > options.y_min_m &&
            at.y - radius < options.y_max_m;
 }
@@ -235,9 +235,9 @@ void write_contact_sheet_png(const std::string& path, std::span<const ShownFrame
     draw(path, [&](const std::string& output) {
         std::string script = canvas("pngcairo", output, width_px, height_px) + "set multiplot\n";
         for (std::size_t k = 0; k < frames.size(); ++k) {
+            const std::size_t row = k / across;
             const Panel panel{one.width_px * static_cast<double>(k % across),
-                              height_px - one.height_px * static_cast<double>(k / across + 1), one.width_px,
-                              one.height_px};
+                              height_px - one.height_px * static_cast<double>(row + 1), one.width_px, one.height_px};
             script += margins(panel, width_px, height_px) + draw_frame(frames[k], wheel, shared);
         }
         return script + "unset multiplot\nunset output\n";

@@ -103,7 +103,7 @@ ShearTest shear_directly(const Case& sand, const SampleSize& size, double normal
     box.bodies.set_friction(sand.contact.friction_soil, sand.contact.friction_wall);
     const double speed = rate_1_s * box.length_m, area = box.length_m * box.thickness_m;
     const std::int64_t interval = steps_of(sand, share_a_point / rate_1_s);
-    const auto points = static_cast<int>(std::lround(largest_displacement / share_a_point));
+    const auto points = static_cast<int>(std::lround(largest_displacement / share_a_point)), earlier = points / 2;
     ShearTest test;
     box.bodies.set_velocity(upper, {speed, 0});
     for (int p = 0; p < points; ++p) {
@@ -117,7 +117,7 @@ ShearTest shear_directly(const Case& sand, const SampleSize& size, double normal
         const auto steps = static_cast<double>(interval);
         test.displacement_m.push_back((p + 0.5) * share_a_point * box.length_m);
         test.shear_Pa.push_back(shear / steps);
-        if (p >= points / 2) test.normal_Pa += normal / steps / (points - points / 2);
+        if (p >= earlier) test.normal_Pa += normal / steps / (points - earlier);
     }
     return test;
 }

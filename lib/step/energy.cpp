@@ -189,9 +189,9 @@ EnergyStore measure_energy(const Scene& scene, const State& state, const Workspa
     }
     if (scene.has_soil_elements()) add_soil_energy(scene, state, work.soil, e);
     if (!scene.has_wheel()) return e;
-    for (std::size_t n = 0; n < work.wheel.contact.size(); ++n)
-        e.springs_J += stored_in_contact(scene.dem.wheel, work.wheel.contact[n].on_disc.overlap_m,
-                                         work.wheel.contact[n].on_disc.tangential_spring_m);
+    for (const auto& contact : work.wheel.contact)
+        e.springs_J +=
+            stored_in_contact(scene.dem.wheel, contact.on_disc.overlap_m, contact.on_disc.tangential_spring_m);
     const WheelModel& m = scene.wheel;
     for (const std::uint32_t n : m.free_node)
         e.kinetic_wheel_J +=

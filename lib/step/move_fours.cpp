@@ -12,7 +12,7 @@ template <bool springs>
 IFEDEM_INLINE bool move_all(const MotionBatch& batch) {
     const MotionBatch m = batch;
     const Four dt = Four{} + m.step_s, fall_x = Four{} + m.fall_x_m_s, fall_y = Four{} + m.fall_y_m_s, zero{};
-    auto stays = zero == zero;
+    auto stays = zero == zero;  // NOLINT(misc-redundant-expression): true in each lane
     for (std::uint32_t p = 0; p + 4 <= m.count; p += 4) {
         Disc* d = m.disc + p;
         const DiscForce* f = m.force + p;

@@ -58,9 +58,10 @@ std::vector<Disc> prepare_pattern(const Case& c) {
     scene.dem.flat_walls.push_back({{0, height + above}, {0, -1}});
     work = make_workspace(scene, state);
     const std::uint64_t way = std::max<std::uint64_t>(1, steps / 2), moves = std::min<std::uint64_t>(1000, way);
+    const std::uint64_t stride = way / moves;
     for (std::uint64_t n = 0; n < steps; ++n) {
-        if (n < way && n % (way / moves) == 0) {
-            const double share = static_cast<double>(n + way / moves) / static_cast<double>(way);
+        if (n < way && n % stride == 0) {
+            const double share = static_cast<double>(n + stride) / static_cast<double>(way);
             scene.dem.flat_walls.back().point_m.y = height + above * max_of(0.0, 1 - share);
             work.dem.rebuild_outer = true;  // walls are searched from where they stand at a rebuild
         }

@@ -29,7 +29,7 @@ Peak find_peak(std::span<const double> y) {
 /// further out do not count.
 double find_fall(std::span<const double> y, double peak_place, std::ptrdiff_t step, double limit) {
     const auto n = static_cast<std::ptrdiff_t>(y.size());
-    auto k = static_cast<std::ptrdiff_t>(peak_place + 0.5);
+    auto k = static_cast<std::ptrdiff_t>(std::lround(peak_place));
     while (k + step >= 0 && k + step < n && y[static_cast<std::size_t>(k + step)] >= limit) k += step;
     if (k + step < 0 || k + step >= n) return static_cast<double>(k);
     const double inside = y[static_cast<std::size_t>(k)], outside = y[static_cast<std::size_t>(k + step)];
