@@ -85,11 +85,13 @@ Frame take_frame(const Scene& scene, const State& state, const Workspace& work) 
     return make_frame(state, time_s(scene, state), {fields.speed_m_s, fields.pressure_Pa});
 }
 
-double cpu_seconds() {
+double clock_seconds(clockid_t clock) {
     timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    clock_gettime(clock, &t);
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
+double cpu_seconds() { return clock_seconds(CLOCK_PROCESS_CPUTIME_ID); }
+double first_thread_seconds() { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
 double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -105,7 +107,7 @@ struct LiveRun {
     std::unique_ptr<ProgressLine> progress;
     std::uint64_t steps_made = 0;  ///< by this process
     Spent before;                  ///< by earlier processes, up to the checkpoint
-    double cpu_begin_s = cpu_seconds(), wall_begin_s = wall_seconds();
+    double cpu_begin_s = cpu_seconds(), first_thread_begin_s = first_thread_seconds(), wall_begin_s = wall_seconds();
     std::vector<RunValue> facts;
     std::optional<Violation> violation;
     Profile profile;
@@ -303,14 +305,20 @@ State find_beginning(const LiveRun& run, Stage& next) {
     return make_initial_state(run.c);
 }
 
-void print_profile(const Profile& profile, double cpu_s) {
+/// Shares of the CPU time of the first thread, which does everything but blocks of discs; that of the others, which
+/// includes waiting for it, apart.
+void print_profile(const LiveRun& run, double cpu_s) {
+    const double first_s = first_thread_seconds() - run.first_thread_begin_s;
+    const auto print_line = [first_s](std::string_view name, double seconds) {
+        fmt::print("profile: {:<18} {:8.2f} s {:5.1f} %\n", name, seconds, 100 * seconds / first_s);
+    };
     double steps_s = 0;
-    for (const double s : profile.seconds) steps_s += s;
-    for (std::size_t p = 0; p < profile.seconds.size(); ++p)
-        fmt::print("profile: {:<18} {:8.2f} s {:5.1f} %\n", phase_name[p], profile.seconds[p],
-                   100 * profile.seconds[p] / cpu_s);
-    fmt::print("profile: {:<18} {:8.2f} s {:5.1f} %\n", "records and checks", cpu_s - steps_s,
-               100 * (cpu_s - steps_s) / cpu_s);
+    for (std::size_t p = 0; p < run.profile.seconds.size(); ++p) {
+        print_line(phase_name[p], run.profile.seconds[p]);
+        steps_s += run.profile.seconds[p];
+    }
+    print_line("records and checks", first_s - steps_s);
+    if (run.request.threads > 1) print_line("other threads", cpu_s - first_s);
 }
 
 /// The pictures of a whole run. They can be drawn at any time, so that a lack of gnuplot or of space is not the run's.
@@ -354,7 +362,7 @@ int finish(LiveRun& run) {
         "performance: steps={} particles={:.0f} cpu_s={:.2f} wall_s={:.2f} ns_per_particle_step={:.2f} "
         "peak_MB={:.1f}\n",
         spent.steps, particles, spent.cpu_s, spent.wall_s, ns, peak_memory_MB());
-    if (run.profile.on) print_profile(run.profile, spent.cpu_s - run.before.cpu_s);
+    if (run.profile.on) print_profile(run, spent.cpu_s - run.before.cpu_s);
     return static_cast<int>(ExitCode::done);
 }
 
