@@ -23,6 +23,11 @@ RUNS    := small-s40-r1 $(foreach v,$(VARIED),small-s40-r1-$(firstword $(subst :
 else ifeq ($(SET),handover)
 # Beyond the text: the stress handed over at every conversion, beside the campaign's runs.
 RUNS    := $(foreach s,$(SLIPS),small-s$(s)-r1 small-s$(s)-r1-handover)
+else ifeq ($(SET),adaptive)
+# Beyond the text: the soil decides which blocks are discs. Three to begin with hold the tyre's contact, 0.2 m.
+VARIED  += $(addprefix adaptive:,elements.region=adaptive elements.first_disc_column=4 elements.disc_columns=3)
+RUNS    := $(foreach r,1 2 3 4 5 6 7 8,$(foreach s,0 10 $(if $(filter 1 2 3 4,$(r)),40),$(foreach g,discs large small,$(g)-s$(s)-r$(r)) small-s$(s)-r$(r)-adaptive))
+RUNS    := $(filter-out large-s40-r2 large-s40-r3 large-s40-r4,$(RUNS))
 else
 MAIN    := $(foreach g,$(REGIONS),$(foreach s,$(SLIPS),$(g)-s$(s)-r1))
 # Whether results approach those of discs only as the region grows is a matter of a few newtons: eight realisations at 0 and 10 %.
@@ -32,7 +37,7 @@ MORE    := $(foreach r,2 3 4 5 6 7 8,$(foreach g,small large discs,$(foreach s,0
 RUNS    ?= $(if $(filter more,$(SET)),$(MORE),$(MAIN))
 endif
 
-.PHONY: reproduce more runs report quick sensitivity table handover handover-table
+.PHONY: reproduce more runs report quick sensitivity table handover handover-table adaptive adaptive-table
 
 reproduce:
 	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
@@ -96,6 +101,16 @@ handover-table: $(INPUTS)
 	@$(CHAPTER)/measure/measure.sh $(IFEDEM) $(OUT)/handover $(fresh_runs)
 	@awk -f $(CHAPTER)/measure/handover.awk $(OUT)/handover/runs.csv $(OUT)/handover/epochs.csv > $(REPORT)/handover.csv
 	@cat $(REPORT)/handover.csv
+
+adaptive:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs SET=adaptive
+	@$(MAKE) --no-print-directory -f $(SWEEP) adaptive-table SET=adaptive
+
+adaptive-table: $(INPUTS)
+	@mkdir -p $(REPORT)
+	@$(CHAPTER)/measure/measure.sh $(IFEDEM) $(OUT)/adaptive $(fresh_runs)
+	@awk -f $(CHAPTER)/measure/adaptive.awk $(OUT)/adaptive/runs.csv > $(REPORT)/adaptive.csv
+	@cat $(REPORT)/adaptive.csv
 
 # The machinery, not the numbers: one block of confined compression and a short travel with a conversion.
 QUICK := build/runs/quick5
