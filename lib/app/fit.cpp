@@ -91,6 +91,7 @@ struct Fit {
     Kept kept;
     std::vector<RunMetrics> original_metrics;
     std::string log;
+    std::vector<Case> refused;
 
     [[nodiscard]] double cost_of(const Case& c) const { return count_disc_steps(c) / count_disc_steps(original); }
 };
@@ -171,7 +172,8 @@ Decision decide(const Fit& fit, const std::vector<RunMetrics>& metrics) {
 
 bool is_pointless(const Fit& fit, const Reduction& reduction, const Case& c) {
     constexpr double least_saving = 0.01;
-    if (list_changes(fit.kept.c, c).empty()) return true;
+    const auto is_this = [&c](const Case& known) { return list_changes(known, c).empty(); };
+    if (is_this(fit.kept.c) || std::ranges::any_of(fit.refused, is_this)) return true;  // two shares, one whole number
     return reduction.saves == Saves::disc_steps && fit.cost_of(fit.kept.c) - fit.cost_of(c) < least_saving;
 }
 
@@ -186,7 +188,10 @@ Trial try_reduction(Fit& fit, const Reduction& reduction, const Kept& before, do
     if (signal_of_children() != 0) return Trial::pointless;
     const Decision decision = measured.metrics.empty() ? Decision{Trial::refused, "refused: " + measured.note}
                                                        : decide(fit, measured.metrics);
-    if (decision.trial == Trial::kept) fit.kept = {trial.c, trial.name};
+    if (decision.trial == Trial::kept)
+        fit.kept = {trial.c, trial.name};
+    else
+        fit.refused.push_back(trial.c);
     log_trial(fit, trial, measured.metrics, decision.text);
     write_files(fit);
     return decision.trial;
@@ -244,7 +249,8 @@ int run_fit(const FitRequest& request) {
             original,
             {original, ""},
             {},
-            header_of(quantities)};
+            header_of(quantities),
+            {}};
     const std::vector<Reduction> reductions = parse_reductions(request.reductions, original);
     (void)plan_variants(fit.runs, {{"original", original}});  // says what is wrong before anything is written
     fs::create_directories(fit.runs.directory);

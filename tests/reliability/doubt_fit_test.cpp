@@ -140,6 +140,17 @@ TEST_F(Variants, FitKeepsWhatItsLogSays) {
     EXPECT_EQ(read_text(scratch.file("small.toml")), toml);
 }
 
+TEST_F(Variants, FitTriesNoCaseTwice) {
+    // Half of three rings is two, and so are three quarters; a tread of twelve columns has no fewer.
+    const ProgramEnd end = run({"fit", tiny, "-o", scratch.file("small.toml"), "--quantities", "H", "--tolerance",
+                                "0.0001%", "--only", "mesh", "--set", "wheel.smooth_columns=12", "--set",
+                                "wheel.intermediate_rings=3", "--set", "wheel.surface_rings=1"});
+    ASSERT_EQ(end.status, 0) << end.errors;
+    const Table log{read_csv(scratch.file("small.csv"))};
+    ASSERT_EQ(log.csv.rows.size(), 2U);
+    EXPECT_EQ(log.text(1, "changes"), "wheel.intermediate_rings = 2");
+}
+
 TEST_F(Variants, SayWhatIsWrongBeforeTheyWrite) {
     const std::string out = scratch.file("out.toml");
     struct Bad {
