@@ -9,7 +9,7 @@ BEGIN {
 }
 FNR == 1 { for (k = 1; k <= NF; ++k) at[$k] = k; next }
 {
-    delete parts; split($1, parts, "-"); name = name_of(parts); slip = $at["slip_percent"]; r = $at["realisation"]
+    delete parts; split($1, parts, "-"); name = name_of(parts); slip = substr(parts[2], 2); r = $at["realisation"]
     if (!(slip in seen)) { seen[slip] = 1; slips[++count] = slip }
     has[name, slip, r] = 1; discs[name, slip, r] = $at["discs"]; cpu[name, slip, r] = $at["cpu_s"]
     for (q = 1; q <= 4; ++q) value[name, slip, r, q] = $at[quantity[q]]
