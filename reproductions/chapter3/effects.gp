@@ -27,8 +27,8 @@ titles = "H P_d R z"
 units = "N N N cm"
 do for [q = 0:3] {
     k = 3 + 2*q
-    set lmargin at screen 0.34 + 0.165*q
-    set rmargin at screen 0.34 + 0.165*q + 0.145
+    set lmargin at screen 0.4 + 0.15*q
+    set rmargin at screen 0.4 + 0.15*q + 0.135
     set tmargin at screen top
     set bmargin at screen bottom
     m = widest[q+1]
