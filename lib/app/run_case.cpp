@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +14,7 @@
 #include "app/progress_line.hpp"
 #include "app/run_info.hpp"
 #include "app/stress_files.hpp"
+#include "core/clock.hpp"
 #include "core/hash.hpp"
 #include "dem/bed.hpp"
 #include "dem/threads.hpp"
@@ -85,17 +84,9 @@ Frame take_frame(const Scene& scene, const State& state, const Workspace& work) 
     return make_frame(state, time_s(scene, state), {fields.speed_m_s, fields.pressure_Pa});
 }
 
-double clock_seconds(clockid_t clock) {
-    timespec t{};
-    clock_gettime(clock, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 double cpu_seconds() { return clock_seconds(CLOCK_PROCESS_CPUTIME_ID); }
 double first_thread_seconds() { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); }
-
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double wall_seconds() { return clock_seconds(CLOCK_MONOTONIC); }
 
 /// A run in progress: what the loop and the end of a run share.
 struct LiveRun {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
-#include <ctime>
+
+#include "core/clock.hpp"
 
 namespace ifedem {
 
@@ -27,11 +28,7 @@ public:
     }
 
 private:
-    static double now() {
-        timespec t{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-        return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-    }
+    static double now() { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); }
     Profile& profile_;
     double last_;
 };

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 
 #include "check/csv.hpp"
 #include "core/bitmath.hpp"
+#include "core/clock.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "dem/threads.hpp"
@@ -171,12 +171,6 @@ Bed find_bed(const Request& r) {
 
 // --------------------------------------------------------------------------------------------------------- measurement
 
-double seconds(clockid_t clock) {
-    timespec t{};
-    clock_gettime(clock, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 /// Heap in use; large arrays are mapped apart from it.
 std::size_t heap_bytes() {
     const auto info = mallinfo2();
@@ -230,10 +224,10 @@ Measured measure(const Scene& scene, State begin, const Request& r) {
             m.end = std::move(state);
             break;
         }
-        const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+        const double cpu = clock_seconds(CLOCK_PROCESS_CPUTIME_ID), wall = clock_seconds(CLOCK_MONOTONIC);
         for (std::uint64_t n = 0; n < r.steps; ++n) step(scene, state, work);
-        m.cpu_s.push_back(seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu);
-        m.wall_s.push_back(seconds(CLOCK_MONOTONIC) - wall);
+        m.cpu_s.push_back(clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu);
+        m.wall_s.push_back(clock_seconds(CLOCK_MONOTONIC) - wall);
     }
     return m;
 }

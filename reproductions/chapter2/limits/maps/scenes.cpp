@@ -1,6 +1,4 @@
-#include <chrono>
-#include <ctime>
-
+#include "core/clock.hpp"
 #include "maps.hpp"
 
 namespace ifedem::maps {
@@ -161,11 +159,7 @@ void map_scenes(Output& out) {
 
 /// CPU time of the checks over that of the steps between them.
 void map_cost(Output& out) {
-    const auto cpu = [] {
-        timespec t{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-        return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-    };
+    const auto cpu = [] { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); };
     Case c = short_case();
     State state = scene::settle(c);
     const Scene scene = make_scene(c, Stage::sinkage);
