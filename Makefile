@@ -15,6 +15,13 @@ SUDO      := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 export JOBS IFEDEM
 
+# Debian packages that are missing; of a target that needs more than the build.
+define install
+missing=; for p in $(1); do dpkg -s $$p > /dev/null 2>&1 || missing="$$missing $$p"; done; \
+[ -z "$$missing" ] || { echo "installing$$missing"; $(SUDO) apt-get update -qq && \
+  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; }
+endef
+
 .PHONY: help setup build test test-determinism bench bench-peers speed-accuracy speed-accuracy-plan quick-speed-accuracy causes-chapter3 verify-reports check sanitize sanitize-unit clean
 .DEFAULT_GOAL := help
 
@@ -25,9 +32,7 @@ setup: $(BUILD)/.packages ## install Debian packages that are missing
 
 $(BUILD)/.packages: Makefile
 	@mkdir -p $(BUILD)
-	@missing=; for p in $(PACKAGES); do dpkg -s $$p >/dev/null 2>&1 || missing="$$missing $$p"; done; \
-	if [ -n "$$missing" ]; then echo "installing$$missing"; \
-	  $(SUDO) apt-get update -qq && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; fi
+	@$(call install,$(PACKAGES))
 	@touch $@
 
 build: $(BUILD)/.packages ## configure and compile the program
@@ -41,7 +46,7 @@ test: build ## unit, verification, stability, determinism and reliability tests
 test-determinism: build ## one hash for compilers, optimisation levels, threads and vector widths
 	@tests/determinism/run_matrix.sh $(MATRIX)
 
-.PHONY: test-all test-reliability test-privileged test-tsan fuzz check-pages check-paraview front-page docs tidy
+.PHONY: test-all test-reliability test-privileged test-tsan fuzz check-pages check-paraview front-page docs check-format tidy
 # Each in turn, all of them whatever fails, and one line a part at the end.
 ALL_TESTS := test tidy test-determinism test-reliability test-privileged sanitize test-tsan fuzz quick-chapter2 quick-chapter3 quick-chapter4 quick-chapter5 quick-chapter6 quick-speed-accuracy verify-reports check-pages check-paraview
 test-all: ## everything that can be tested, in two hours or so: what CI leaves out too
@@ -75,8 +80,7 @@ bench: build ## cost of a step on dense beds (idle machine): build/bench.csv
 	@tests/bench/run_bench.sh
 
 bench-peers: build ## ifedem against LAMMPS, LIGGGHTS and YADE (idle machine): build/bench-peers.csv
-	@missing=; for p in $(PEERS); do dpkg -s $$p >/dev/null 2>&1 || missing="$$missing $$p"; done; \
-	[ -z "$$missing" ] || { $(SUDO) apt-get update -qq && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; }
+	@$(call install,$(PEERS))
 	@cmake --build $(BUILD) --target step_bench -j $(JOBS)
 	@tests/bench/peers/run_peers.sh
 
@@ -117,28 +121,28 @@ verify-reports: build ## rerun some runs of the committed reports from nothing a
 	@reports/verify.sh $(if $(QUICK),quick,$(if $(NAMES),runs $(NAMES),draw 3 $(SEED)))
 
 check-pages: ## reports in headless Chromium at the width of a phone and a desk (installs chromium)
-	@dpkg -s chromium > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends chromium; }
+	@$(call install,chromium)
 	@tests/pages/check_pages.sh $(wildcard reports/index.html reports/*/index.html $(BUILD)/reports/index.html $(BUILD)/reports/*/index.html)
 
 check-paraview: build ## a run's discs.xdmf and wheel.xdmf as ParaView reads them, without a screen (installs paraview)
-	@missing=; for p in paraview python3-paraview python3-h5py; do dpkg -s $$p > /dev/null 2>&1 || missing="$$missing $$p"; done; \
-	[ -z "$$missing" ] || { $(SUDO) apt-get update -qq && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing; }
+	@$(call install,paraview python3-paraview python3-h5py)
 	@tests/paraview/check_paraview.sh $(BUILD)
 
 front-page: build ## reports/index.html and README.md from the committed reports, after a chapter's was renewed
 	@$(MAKE) --no-print-directory -f reproductions/chapter6/chapter.mk front-page
 
 docs: ## the library's documentation by Doxygen: build/docs/html/index.html
-	@dpkg -s doxygen > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends doxygen; }
+	@$(call install,doxygen)
 	@mkdir -p $(BUILD)/docs && doxygen lib/Doxyfile
 
-tidy: build ## clang-format over all code, clang-tidy over the library (six minutes on two cores)
+check-format: $(BUILD)/.packages ## clang-format over all code
 	@find lib tests reproductions -name '*.?pp' | xargs clang-format --dry-run -Werror
-	@dpkg -s clang-tidy > /dev/null 2>&1 || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends clang-tidy; }
+
+tidy: build check-format ## that, and clang-tidy over the library (six minutes on two cores)
+	@$(call install,clang-tidy)
 	@ls lib/*/*.cpp | xargs -P $(JOBS) -I{} clang-tidy -p $(BUILD) --quiet {} 2> /dev/null
 
-check: build ## what a contributor runs before a commit: format, tests
-	@find lib tests reproductions -name '*.?pp' | xargs clang-format --dry-run -Werror
+check: check-format ## what a contributor runs before a commit: format, tests
 	@$(MAKE) --no-print-directory test
 
 clean: ## remove everything that was built or simulated

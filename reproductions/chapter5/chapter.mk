@@ -26,8 +26,9 @@ RUNS    := $(foreach s,$(SLIPS),small-s$(s)-r1 small-s$(s)-r1-handover)
 else ifeq ($(SET),adaptive)
 # Beyond the text: the soil decides which blocks are discs. Three to begin with hold the tyre's contact, 0.2 m.
 VARIED  += $(addprefix adaptive:,elements.region=adaptive elements.first_disc_column=4 elements.disc_columns=3)
-RUNS    := $(foreach r,1 2 3 4 5 6 7 8,$(foreach s,0 10 $(if $(filter 1 2 3 4,$(r)),40),$(foreach g,discs large small,$(g)-s$(s)-r$(r)) small-s$(s)-r$(r)-adaptive))
-RUNS    := $(filter-out large-s40-r2 large-s40-r3 large-s40-r4,$(RUNS))
+compared = $(addsuffix -$(1),discs $(2) small) small-$(1)-adaptive
+RUNS    := $(foreach r,1 2 3 4 5 6 7 8,$(foreach s,0 10,$(call compared,s$(s)-r$(r),large))) \
+           $(foreach r,1 2 3 4,$(call compared,s40-r$(r)))
 else
 MAIN    := $(foreach g,$(REGIONS),$(foreach s,$(SLIPS),$(g)-s$(s)-r1))
 # Whether results approach those of discs only as the region grows is a matter of a few newtons: eight realisations at 0 and 10 %.
