@@ -33,6 +33,7 @@ std::vector<Variant> list_variants(const Case& c) {
         variants.push_back({"length", with_length(c, 2)});
         variants.push_back({"discs", make_stable(with_disc_radii(c, 0.5))});
     }
+    if (has_region(c)) variants.push_back({"region", with_region(c, 2)});
     if (can_refine_mesh(c)) variants.push_back({"mesh", make_stable(with_mesh(c, 2))});
     variants.push_back({"step", with_time_step(c, 0.5)});
     return variants;

@@ -17,15 +17,16 @@ struct DoubtRequest {
     RunSetOptions options;
 };
 
-/// Does the case's size or resolution decide its outcome? Runs it and five variants with more of one thing each in the
+/// Does the case's size or resolution decide its outcome? Runs it and variants with more of one thing each in the
 /// same realisations, and writes DIR/doubt.csv, a line a variant and quantity:
 /// - depth: twice the discs at the same length, with twice the time to settle;
 /// - length: bed, discs and the wheel's starting place doubled: twice the soil behind the wheel, at least twice ahead;
 /// - discs: half the radii, four times the discs;
 /// - mesh: twice the wheel's rings and columns between lugs (not for plates and wheels from Gmsh);
-/// - step: half of time_step_s.
+/// - step: half of time_step_s;
+/// - region: twice the blocks of discs between soil elements.
 /// Where the finer case's own certain limits ask for it, the step is halved too; the column `changes` says so. The
-/// soil's elements fix the bed's size and its discs: cases with them are doubted by mesh and step only. Returns what
+/// soil's elements fix the bed's size and its discs: cases with them are doubted by region, mesh and step. Returns what
 /// the program returns: done, the worst status of a variant that failed (its lines say so), or 128 + a signal. Throws
 /// Error with the default's status if that fails.
 [[nodiscard]] int run_doubt(const DoubtRequest& request);

@@ -42,6 +42,7 @@ constexpr Reduction all_reductions[] = {{"step", Saves::disc_steps, with_fewer_s
                                         {"depth", Saves::disc_steps, with_depth, has_discs_only},
                                         {"behind", Saves::disc_steps, with_soil_behind, has_discs_only},
                                         {"ahead", Saves::disc_steps, with_soil_ahead, has_discs_only},
+                                        {"region", Saves::disc_steps, with_region, has_region},
                                         {"mesh", Saves::elements, with_mesh, can_refine_mesh}};
 
 std::vector<Reduction> parse_reductions(const std::string& text, const Case& c) {
@@ -51,12 +52,15 @@ std::vector<Reduction> parse_reductions(const std::string& text, const Case& c) 
         if (found == std::end(all_reductions))
             fail_input(
                 fmt::format("--only {}: '{}' is nothing that can be less (there are step, depth, behind, ahead, "
-                            "mesh). Correct it?",
+                            "region, mesh). Correct it?",
                             text, name));
         if (found->is_possible(c)) {
             reductions.push_back(*found);
         } else {
-            fmt::print(stderr, "{}: left as it is (soil elements fix the bed, a file or a plate the mesh)\n", name);
+            fmt::print(stderr,
+                       "{}: left as it is (soil elements fix the bed and alone leave a region of discs, a file or a "
+                       "plate fixes the mesh)\n",
+                       name);
         }
     }
     return reductions;

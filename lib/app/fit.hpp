@@ -13,14 +13,15 @@ struct FitRequest {
     std::vector<Override> overrides;
     std::string quantities = "H,Pd,R,z";
     std::string tolerance = "5%";
-    std::string evidence = "shown";                           ///< or "mean": enum DifferenceEvidence
-    std::string reductions = "step,depth,behind,ahead,mesh";  ///< what may be less, in this order
+    std::string evidence = "shown";                                  ///< or "mean": enum DifferenceEvidence
+    std::string reductions = "step,depth,behind,ahead,region,mesh";  ///< what may be less, in this order
     int realisations = 3;
     RunSetOptions options;
 };
 
 /// Finds the least model of a scene: one thing after another it raises time_step_s and takes away depth, soil behind
-/// the wheel at the start, soil ahead of it at the end, and elements of the wheel. Discs and stages stay as they are.
+/// the wheel at the start, soil ahead of it at the end, blocks of discs between soil elements, and elements of the
+/// wheel. Discs and stages stay as they are.
 ///
 /// Each thing is halved (the step doubled) as long as every quantity of the trial, in all realisations, stays as close
 /// to the *original* case as `evidence` asks (is_small()), a quarter is taken off after the first refusal, and it is
@@ -29,7 +30,7 @@ struct FitRequest {
 /// certain limit, and a scene that is none (a record interval below the step). Refused also: what a health check stops,
 /// or a limit of the contacts as they stand. Not tried: what would save less than 1 % of the original's disc-steps (a
 /// coarser mesh saves none of these, but a part of each step). The soil's elements fix the bed's size: of cases with
-/// them, only step and mesh are tried.
+/// them, only step, region and mesh are tried.
 ///
 /// Writes SMALLER.toml (`base` = the case, and the keys that differ) and SMALLER.csv (every trial with its quantities,
 /// differences, half-widths, cost and decision) after each trial; runs are in SMALLER-runs/. The same command repeats

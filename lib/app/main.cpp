@@ -146,7 +146,7 @@ void add_fit(CLI::App& app, FitRequest& request, std::vector<std::string>& sets,
     fit->add_option("-o,--output", request.output, "the smaller case (.toml); its log and runs go beside it")
         ->required();
     fit->add_option("--evidence", request.evidence, "shown: |difference| + half-width within it; mean: |difference|");
-    fit->add_option("--only", request.reductions, "what may be less, in order: step,depth,behind,ahead,mesh");
+    fit->add_option("--only", request.reductions, "what may be less, in order: step,depth,behind,ahead,region,mesh");
     fit->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
         code = run_fit(request);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -51,6 +52,21 @@ void read_measurements(const std::filesystem::path& directory, Campaign& campaig
                         uncertainty ? parse_number(row.cells[*uncertainty]) : std::nullopt});
     }
     campaign.measurements.insert(campaign.measurements.end(), rows.begin(), rows.end());
+}
+
+void read_doubts(const std::filesystem::path& directory, Campaign& campaign) {
+    const CsvTable table = read_csv((directory / "doubt.csv").string());
+    for (const auto& row : table.rows) {
+        const auto text = [&](const char* column) { return row.cells[table.require(column)]; };
+        // Cells of a variation that did not run are empty.
+        const auto number = [&](const char* column) {
+            return parse_number(text(column)).value_or(std::numeric_limits<double>::infinity());
+        };
+        campaign.doubts.push_back({text("variation"), text("changes"), text("quantity"), text("unit"),
+                                   static_cast<std::size_t>(cell_number(table, row, "n")), number("difference"),
+                                   number("half_width"), number("tolerance"), text("verdict"),
+                                   cell_number(table, row, "relative_cost"), text("note")});
+    }
 }
 
 void require_distinct_measurements(const Campaign& campaign) {
@@ -123,10 +139,13 @@ void read_directory(const std::string& name, Campaign& campaign) {
     const bool is_run = std::filesystem::exists(directory / "case.toml");
     const bool is_stiffness = std::filesystem::exists(directory / "stiffness_summary.csv");
     const bool is_measured = std::filesystem::exists(directory / "measurements.csv");
-    if (!is_run && !is_stiffness && !is_measured)
-        fail_input(fmt::format(
-            "{}: neither case.toml nor stiffness_summary.csv nor measurements.csv is there. Give run directories.",
-            name));
+    const bool is_doubt = std::filesystem::exists(directory / "doubt.csv");
+    if (!is_run && !is_stiffness && !is_measured && !is_doubt)
+        fail_input(
+            fmt::format("{}: neither case.toml nor stiffness_summary.csv, measurements.csv or doubt.csv is there. Give "
+                        "run directories.",
+                        name));
+    if (is_doubt) read_doubts(directory, campaign);
     if (is_measured) read_measurements(directory, campaign);
     if (std::filesystem::exists(directory / "effects.csv")) {
         const auto effects = read_effects((directory / "effects.csv").string());

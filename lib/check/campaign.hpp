@@ -52,6 +52,20 @@ struct Effect {
     double half_width = 0;  ///< 95 %; infinite if nothing tells the scatter
 };
 
+/// What more of one thing does to one quantity: a line of `ifedem doubt`.
+struct Doubt {
+    std::string variation;
+    std::string changes;
+    std::string quantity;  ///< "Pd"
+    std::string units;
+    std::size_t n = 0;
+    double difference = 0, half_width = 0;  ///< infinite where a single pair tells no half-width
+    double tolerance = 0;
+    std::string verdict;
+    double relative_cost = 0;
+    std::string note;  ///< why it was not run
+};
+
 /// A run with its window means.
 struct MeasuredRun {
     Run run;
@@ -67,14 +81,15 @@ struct Campaign {
     std::vector<StiffnessPoint> stiffness_points;
     std::vector<Measurement> measurements;
     std::vector<Effect> effects;           ///< of a directory with effects.csv
+    std::vector<Doubt> doubts;             ///< of a directory with doubt.csv
     std::vector<std::string> directories;  ///< as given; figures may draw files of theirs
     std::vector<std::string> unusable;     ///< directories without a finished run, with the reason
 };
 
 /// Directories with case.toml are runs, those with stiffness_summary.csv hold the wheels' stiffness, those with
-/// measurements.csv whatever was measured; others are noted as unusable, so that one run that failed does not take the
-/// report with it. Throws Error(bad_input) if a measurement's name stands twice, or if realisations of one condition
-/// differ in more than seed and lug phase.
+/// measurements.csv whatever was measured, those with doubt.csv what `ifedem doubt` found; others are noted as
+/// unusable, so that one run that failed does not take the report with it. Throws Error(bad_input) if a measurement's
+/// name stands twice, or if realisations of one condition differ in more than seed and lug phase.
 [[nodiscard]] Campaign read_campaign(const std::vector<std::string>& directories);
 
 /// nullptr if nothing of this name was measured.

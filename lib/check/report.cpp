@@ -46,6 +46,7 @@ Document compose(const ReportRequest& request, const CheckResult& result, const 
                   slips_section(campaign),
                   verdicts_section(outcomes),
                   effects_section(outcomes, campaign),
+                  doubts_section(campaign),
                   measurements_section(campaign),
                   choices_section(paths.chapter + "/choices.csv", campaign),
                   balances_section(campaign),

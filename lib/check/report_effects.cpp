@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "check/csv.hpp"
+#include "check/differences.hpp"
 #include "check/report_sections.hpp"
 
 namespace ifedem {
@@ -81,7 +82,38 @@ Table readings_table(const std::vector<Outcome>& outcomes, const Campaign& campa
     return t;
 }
 
+/// One row a variation; what moves is strong.
+Table doubts_table(const Campaign& campaign) {
+    Table t;
+    t.caption =
+        "More of one thing at a time (`ifedem doubt`): the difference to the same realisations, with its 95 % "
+        "half-width. What moves, whatever its size, stands out; of twenty that do not, one will.";
+    t.style = "wide";
+    t.header = {"More", "What that is", "n", "Cost"};
+    for (const Doubt& d : campaign.doubts) {
+        if (d.variation == campaign.doubts.front().variation)
+            t.header.push_back(fmt::format("Δ{} [{}]", parse_quantities(d.quantity).front().metric->symbol, d.units));
+        if (t.rows.empty() || t.rows.back()[0].text != capitalised(d.variation))
+            t.rows.push_back({{capitalised(d.variation), "id"},
+                              {d.note.empty() ? d.changes : d.changes + ": " + d.note, ""},
+                              {std::to_string(d.n), "num"},
+                              {fmt::format("× {:.2g}", d.relative_cost), "num"}});
+        if (d.n == 0)
+            t.rows.back().push_back({"–", "num"});
+        else
+            t.rows.back().push_back({with_width(d.difference, d.half_width, Sign::always),
+                                     std::abs(d.difference) > d.half_width ? "num strong" : "num"});
+    }
+    return t;
+}
+
 }  // namespace
+
+Section doubts_section(const Campaign& campaign) {
+    Section s{"doubt", "What more of everything would change", {}};
+    if (!campaign.doubts.empty()) s.blocks.emplace_back(doubts_table(campaign));
+    return s;
+}
 
 Section effects_section(const std::vector<Outcome>& outcomes, const Campaign& campaign) {
     Section s{"sensitivity", "How much the choices matter", {}};

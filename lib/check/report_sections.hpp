@@ -25,6 +25,8 @@ namespace ifedem {
 [[nodiscard]] Section verdicts_section(const std::vector<Outcome>& outcomes);
 /// What variations of the choices do, and readings of the text side by side where a variant has several realisations.
 [[nodiscard]] Section effects_section(const std::vector<Outcome>& outcomes, const Campaign& campaign);
+/// What more depth, length and fineness do.
+[[nodiscard]] Section doubts_section(const Campaign& campaign);
 [[nodiscard]] Section measurements_section(const Campaign& campaign);
 /// `choices_path`: key,value,text_says,reason,sensitivity; the value that the runs used stands beside.
 [[nodiscard]] Section choices_section(const std::string& choices_path, const Campaign& campaign);

@@ -87,6 +87,20 @@ Case with_soil_ahead(const Case& c, double factor) {
     return changed;
 }
 
+Case with_region(const Case& c, double factor) {
+    Case changed = c;
+    ElementsCase& e = changed.elements;
+    const std::int64_t more_behind = (scale_to_one(e.disc_columns, factor) - e.disc_columns) / 2;
+    const std::int64_t first = std::max<std::int64_t>(0, e.first_disc_column - more_behind);
+    const std::int64_t end = std::min(e.columns, e.first_disc_column + e.disc_columns + more_behind);
+    e.first_disc_column = first;
+    e.disc_columns = end - first;
+    e.margin_columns = std::max<std::int64_t>(0, e.margin_columns + more_behind);
+    return changed;
+}
+
+bool has_region(const Case& c) { return c.elements.columns > 0 && c.elements.disc_columns > 0; }
+
 Case with_disc_radii(const Case& c, double factor) {
     Case changed = c;
     for (double& radius : changed.soil.radii_m) radius *= factor;

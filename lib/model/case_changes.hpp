@@ -21,6 +21,13 @@ namespace ifedem {
 [[nodiscard]] Case with_soil_behind(const Case& c, double factor);
 [[nodiscard]] Case with_soil_ahead(const Case& c, double factor);
 
+/// Blocks of the top row that are discs at the start and stay so around the wheel, in the midst of which it stands; the
+/// conversions' margin changes with them. Where they would leave the grid they end with it.
+[[nodiscard]] Case with_region(const Case& c, double factor);
+
+/// False without a region of discs between soil elements.
+[[nodiscard]] bool has_region(const Case& c);
+
 /// Radii of the discs, with as many more discs as fill the same bed.
 [[nodiscard]] Case with_disc_radii(const Case& c, double factor);
 

@@ -91,6 +91,24 @@ TEST(CaseChanges, LessSoilBehindAndAheadKeepsTheDepthAndTheTravel) {
     }
 }
 
+TEST(CaseChanges, ARegionGrowsAndShrinksAroundTheWheel) {
+    const Case small = read_case(IFEDEM_SOURCE_DIR "/reproductions/chapter5/cases/small.toml");
+    const auto region_of = [](const Case& c) {
+        return std::vector<std::int64_t>{c.elements.first_disc_column, c.elements.disc_columns,
+                                         c.elements.margin_columns};
+    };
+    EXPECT_EQ(region_of(with_region(small, 7.0 / 5)),
+              region_of(read_case(IFEDEM_SOURCE_DIR "/reproductions/chapter5/cases/middle.toml")));
+    EXPECT_EQ(region_of(with_region(small, 9.0 / 5)),
+              region_of(read_case(IFEDEM_SOURCE_DIR "/reproductions/chapter5/cases/large.toml")));
+    EXPECT_EQ(region_of(with_region(small, 0.5)), (std::vector<std::int64_t>{4, 3, 0}));
+    EXPECT_EQ(region_of(with_region(small, 100)), (std::vector<std::int64_t>{0, 16, 247}));
+    EXPECT_TRUE(list_changes(small, with_region(small, 1)).empty());
+    expect_a_case(small, with_region(small, 2));
+    EXPECT_TRUE(has_region(small));
+    EXPECT_FALSE(has_region(tyre()));
+}
+
 TEST(CaseChanges, FinerDiscsFillTheSameBed) {
     const Case c = tyre(), fine = with_disc_radii(c, 0.5);
     EXPECT_EQ(fine.bed.disc_count, 4 * c.bed.disc_count);

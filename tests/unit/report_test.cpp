@@ -185,6 +185,31 @@ TEST(Report, DrawsFilesThatDirectoriesHold) {
     fs::remove_all(root);
 }
 
+TEST(Report, SaysWhatMoreOfEverythingWouldChange) {
+    const fs::path root = fresh_directory("report-doubt");
+    const std::string source = IFEDEM_SOURCE_DIR;
+    write_text((root / "doubt/doubt.csv").string(),
+               "variation,changes,quantity,unit,n,default,variant,difference,half_width,tolerance,verdict,n_needed,"
+               "relative_cost,note\n"
+               "depth,bed.disc_count = 2000,H,N,3,100,104,4,3,5,moves,1,2,\n"
+               "depth,bed.disc_count = 2000,Pd,N,3,50,50.5,0.5,2,2.5,within scatter,2,2,\n"
+               "step,time_step_s = 4e-05,H,N,0,,,,,,not run,,2,stopped by a health check\n"
+               "step,time_step_s = 4e-05,Pd,N,0,,,,,,not run,,2,stopped by a health check\n");
+    write_report({source + "/reproductions/chapter3/claims.csv", {(root / "doubt").string()}, root.string(), "", ""});
+    const std::string markdown = read_text((root / "report.md").string());
+    EXPECT_NE(markdown.find("| More | What that is | n | Cost | ΔH [N] | ΔP_d [N] |"), std::string::npos) << markdown;
+    EXPECT_NE(markdown.find("| Depth | bed.disc_count = 2000 | 3 | × 2 | +4.0 ± 3.0 | +0.5 ± 2.0 |"),
+              std::string::npos);
+    EXPECT_NE(markdown.find("| Step | time_step_s = 4e-05: stopped by a health check | 0 | × 2 | – | – |"),
+              std::string::npos);
+    const std::string html = read_text((root / "index.html").string());
+    const std::size_t depth = html.find("bed.disc_count = 2000");
+    const std::size_t step = html.find("time_step_s = 4e-05");
+    EXPECT_LT(html.find("num strong", depth), step);  // H moves, P_d does not
+    EXPECT_EQ(html.find("num strong", html.find("num strong", depth) + 1), std::string::npos);
+    fs::remove_all(root);
+}
+
 TEST(Report, WithoutRunsSaysSo) {
     const fs::path root = fresh_directory("report-empty");
     const std::string source = IFEDEM_SOURCE_DIR;
