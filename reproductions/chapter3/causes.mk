@@ -3,6 +3,7 @@
 #   make causes-chapter3
 CHAPTER := reproductions/chapter3
 include $(CHAPTER)/realisations.mk
+include $(CHAPTER)/whole.mk
 OUT     := build/runs/chapter3-causes
 
 # WHAT-rREALISATION
@@ -16,7 +17,7 @@ OTHER   := $(foreach w,speed0.05 speed0.2 absolute half-chord wheel-rigid absolu
            absolute-half-r3 wheel-rigid-half-r1 wheel-rigid-absolute-r1 absolute-rim-r1 absolute-layers-r1
 # The bounce: hub mass changed through the rim's density (3000 kg/m3), and the rhythm of the lugs
 BOUNCE  := rim750-r1 rim12000-r1 speed0.07-r1 pairs18-r1
-# The four readings (damping × chord) of both wheels: which wheel pulls more? The defaults of three realisations are the campaign's.
+# The four readings (damping × chord) of both wheels: which wheel pulls more? The defaults of three realisations are those of SCENE=whole.
 READINGS := $(foreach w,absolute half-chord absolute-half b6-absolute b6-half-chord b6-absolute-half,$(foreach r,1 2 3,$(w)-r$(r)))
 RUNS    := $(sort $(READINGS) $(RIM) $(LAYER) $(OTHER) $(BOUNCE))
 
@@ -55,7 +56,7 @@ causes: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))
 
 define run_rule
 $(OUT)/$(1)/run.csv: $(call case_of,$(1))
-	@$(IFEDEM) run $(call case_of,$(1)) -o $(OUT)/$(1) --force --quiet --set travel.slip_percent=60 \
+	@$(IFEDEM) run $(call case_of,$(1)) -o $(OUT)/$(1) --force --quiet $(WHOLE) --set travel.slip_percent=60 \
 	  --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) \
 	  $(sets_of_$(patsubst b6-%,%,$(call what_of,$(1)))) > /dev/null && echo "done: $(1)"
 endef

@@ -4,9 +4,12 @@
 
 CHAPTER := reproductions/chapter3
 SWEEP   := $(CHAPTER)/chapter.mk
-OUT     := build/runs/chapter3
-REPORT  := build/reports/chapter3
-COMMAND ?= make reproduce-chapter3
+# SCENE=whole: the same travels in the scene from which `ifedem fit` began (cases/whole.toml), three times as long
+OUT     := build/runs/chapter3$(addprefix -,$(SCENE))
+REPORT  := build/reports/chapter3$(addprefix -,$(SCENE))
+COMMAND ?= make reproduce-chapter3$(addprefix $() SCENE=,$(SCENE))
+include $(CHAPTER)/whole.mk
+scene_sets := $(if $(SCENE),$(WHOLE))
 
 # WHEEL-PLANET-LOAD-sSLIP-rREALISATION, what the text gives numbers for first. A realisation is a packing seed and a lug phase.
 SLIPS := 0 10 20 30 40 50 60 70
@@ -20,7 +23,7 @@ RUNS := $(call slips_of,B3-earth-170N) $(call more_of,B3-earth-170N-s60,2 3 4 5 
         $(foreach w,B6-earth-170N B6-mars-64.4N B3-earth-100N B3-earth-50N,$(call more_of,$(w)-s60,2 3)) \
         $(foreach l,$(wordlist 2,5,$(LOADS)),$(foreach w,B3 B6,$(call slips_of,$(w)-earth-$(l)N)))
 
-.PHONY: reproduce runs report quick sensitivity fidelity
+.PHONY: reproduce runs report quick sensitivity fidelity doubt beside-whole
 
 # FIDELITY=dissertation CASE=B3-earth-170N-s60-r1: this run with the text's own step, all three stages, against its 45,400 s.
 ifeq ($(FIDELITY),dissertation)
@@ -42,12 +45,12 @@ realisation_of = $(patsubst r%,%,$(lastword $(subst -, ,$(1))))
 bed_of = $(call part,$(1),2)-r$(call realisation_of,$(1))
 sunk_of = $(call part,$(1),1)-$(call part,$(1),2)-$(call part,$(1),3)-r$(call realisation_of,$(1))
 sets_of = --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) \
-          --set wheel.load_N=$(patsubst %N,%,$(call part,$(1),3))
+          --set wheel.load_N=$(patsubst %N,%,$(call part,$(1),3)) $(scene_sets)
 slip_of = --set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),4))
 
 SUNK := $(sort $(foreach r,$(RUNS),$(call sunk_of,$(r))))
 BEDS := $(sort $(foreach r,$(RUNS),$(call bed_of,$(r))))
-$(foreach b,$(BEDS),$(eval $(call bed_rule,$(b),$(CHAPTER)/cases/B3-$(call part,$(b),1).toml,--set bed.seed=$(call realisation_of,$(b)))))
+$(foreach b,$(BEDS),$(eval $(call bed_rule,$(b),$(CHAPTER)/cases/B3-$(call part,$(b),1).toml,--set bed.seed=$(call realisation_of,$(b)) $(scene_sets))))
 $(foreach s,$(SUNK),$(eval $(call sunk_rule,$(s),$(call case_of,$(s)),$(call sets_of,$(s)),$(call bed_of,$(s)))))
 $(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
 
@@ -58,25 +61,34 @@ $(OUT)/stiffness/stiffness_summary.csv: $(INPUTS)
 	@exec > /dev/null 2> $(OUT)/logs/stiffness.log; \
 	exec $(IFEDEM) stiffness $(CHAPTER)/cases/B3-earth.toml $(CHAPTER)/cases/B6-earth.toml -o $(OUT)/stiffness
 
-# What the sensitivity sweep found, if it was run.
-SENSITIVITY := $(patsubst %/effects.csv,%,$(wildcard build/runs/chapter3-sensitivity/effects.csv))
+# What the sensitivity sweep and `doubt` found, if they were run.
+FOUND := $(patsubst %/,%,$(dir $(wildcard build/runs/chapter3-sensitivity/effects.csv $(OUT)/doubt/doubt.csv)))
 
 sensitivity:
 	@$(MAKE) --no-print-directory -f $(CHAPTER)/sensitivity.mk sensitivity
 
+# What moves with twice the depth, length, fineness: B3 on Earth at 60 %.
+doubt: $(INPUTS)
+	@$(IFEDEM) doubt $(CHAPTER)/cases/B3-earth.toml --set travel.slip_percent=60 --n $(or $(N),3) --jobs $(JOBS) --stages $(STAGES) -o $(OUT)/doubt
+
+# Both scenes' tables of runs, travel by travel.
+beside-whole:
+	@awk -f $(CHAPTER)/beside_whole.awk build/reports/chapter3-whole/runs.csv $(REPORT)/runs.csv > $(REPORT)/beside_whole.csv
+	@cat $(REPORT)/beside_whole.csv
+
 report: $(INPUTS)
-	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(SENSITIVITY) -o $(REPORT) \
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(FOUND) -o $(REPORT) \
 	  --title "Chapter 3: an elastic rover wheel on sand" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
 	@awk -f $(CHAPTER)/equal_slip.awk $(REPORT)/runs.csv > $(REPORT)/equal_slip.csv
-	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(SENSITIVITY) -o $(REPORT)/checks.csv
+	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(FOUND) -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
 
 # The text does not say which stages its 45,400 s hold, so both ratios are printed.
 THREADS ?= 1
 FIDELITY_OUT := build/runs/chapter3-dissertation
 TEXT_STEP := $(if $(filter mars,$(call part,$(CASE),2)),5e-6,1e-5)
-FIDELITY_SETS = $(call sets_of,$(CASE)) --set time_step_s=$(TEXT_STEP) --threads $(THREADS) --stages $(FIDELITY_OUT)/stages --quiet
+FIDELITY_SETS = $(call sets_of,$(CASE)) $(WHOLE) --set time_step_s=$(TEXT_STEP) --threads $(THREADS) --stages $(FIDELITY_OUT)/stages --quiet
 fidelity:
 	$(if $(filter $(CASE),$(RUNS)),,$(error CASE '$(CASE)' is not a run of this chapter. Write it like B3-earth-170N-s60-r1))
 	@mkdir -p $(FIDELITY_OUT); rm -rf $(FIDELITY_OUT)/stages

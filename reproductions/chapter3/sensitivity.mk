@@ -1,5 +1,5 @@
-# What each choice that the text leaves open does: one input changed, the rest as chosen (choices.csv), B3 under 170 N on Earth at
-# 0, 20 and 60 % slip, against the campaign's runs of the same packing and lug phase. Two readings of the text are whole condition
+# What each choice that the text leaves open does in the whole scene (cases/whole.toml), where no saving of ours can hide it: one input
+# changed, the rest as chosen (choices.csv), B3 under 170 N on Earth at 0, 20 and 60 % slip, against runs of the same packing and lug phase. Two readings of the text are whole condition
 # sets: damping against the absolute velocity with half the chord, eight realisations at 60 % on Earth and on Mars.
 #   make -f reproductions/chapter3/sensitivity.mk sensitivity
 #   make -f reproductions/chapter3/sensitivity.mk literal        that second reading alone, sixteen travels
@@ -7,7 +7,8 @@
 CHAPTER := reproductions/chapter3
 SWEEP   := $(CHAPTER)/sensitivity.mk
 OUT     := build/runs/chapter3-sensitivity
-DEFAULT := build/runs/chapter3
+DEFAULT := build/runs/chapter3-whole
+include $(CHAPTER)/whole.mk
 
 # One step each way where there are two ways; --set arguments of each.
 all_parts = $(foreach p,rim intermediate surface lug,--set wheel.$(p).damping_1_s=$(1))
@@ -46,7 +47,7 @@ RUNS := $(LITERAL) both-earth-s0-r1 both-earth-s20-r1 $(foreach w,$(ONE_BY_ONE),
 
 .PHONY: sensitivity literal
 sensitivity:
-	@$(MAKE) --no-print-directory -k -j$(JOBS) -f $(CHAPTER)/chapter.mk $(addsuffix /run.csv,$(DEFAULTS))
+	@$(MAKE) --no-print-directory -k -j$(JOBS) -f $(CHAPTER)/chapter.mk SCENE=whole $(addsuffix /run.csv,$(DEFAULTS))
 	-@$(MAKE) --no-print-directory -f $(SWEEP) sweep
 	@$(IFEDEM) effects --defaults $(DEFAULTS) --variants $(fresh_runs) -o $(OUT)
 	@mkdir -p build/reports/chapter3 && cp $(OUT)/effects.csv build/reports/chapter3/effects.csv
@@ -66,14 +67,14 @@ case_of = $(CHAPTER)/cases/B3-$(call part,$(1),2).toml
 sunk_of = $(call part,$(1),1)-$(call part,$(1),2)-r$(call realisation_of,$(1))
 bed_of = $(if $(filter $(call part,$(1),1),$(OWN_BED)),bed-$(call part,$(1),1),bed-default)-$(call part,$(1),2)-r$(call realisation_of,$(1))
 set_of_bed = $(if $(filter default,$(call part,$(1),2)),,$(set_$(call part,$(1),2)))
-sets_of = --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) $(set_$(call part,$(1),1))
+sets_of = $(WHOLE) --set bed.seed=$(call realisation_of,$(1)) --set wheel.lug_phase_deg=$(PHASE_$(call realisation_of,$(1))) $(set_$(call part,$(1),1))
 slip_of = --set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),3))
 default_of = $(DEFAULT)/B3-$(call part,$(1),2)-$(if $(filter mars,$(call part,$(1),2)),64.4N,170N)-$(call part,$(1),3)-r$(call realisation_of,$(1))
 
 DEFAULTS := $(sort $(foreach r,$(RUNS),$(call default_of,$(r))))
 SUNK := $(sort $(foreach r,$(RUNS),$(call sunk_of,$(r))))
 BEDS := $(sort $(foreach r,$(RUNS),$(call bed_of,$(r))))
-$(foreach b,$(BEDS),$(eval $(call bed_rule,$(b),$(CHAPTER)/cases/B3-$(call part,$(b),3).toml,--set bed.seed=$(call realisation_of,$(b)) $(call set_of_bed,$(b)))))
+$(foreach b,$(BEDS),$(eval $(call bed_rule,$(b),$(CHAPTER)/cases/B3-$(call part,$(b),3).toml,$(WHOLE) --set bed.seed=$(call realisation_of,$(b)) $(call set_of_bed,$(b)))))
 $(foreach s,$(SUNK),$(eval $(call sunk_rule,$(s),$(call case_of,$(s)),$(call sets_of,$(s)),$(call bed_of,$(s)))))
 $(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
 

@@ -1,5 +1,5 @@
-# Chapter 3: one change each from its default, B3 under 170 N on Earth.
-CASE   := $(CHAPTER)/cases/B3-earth.toml
+# Chapter 3: one change each from its whole scene, B3 under 170 N on Earth; `fitted` is the chapter's case.
+CASE   := $(CHAPTER)/cases/whole.toml
 SLIPS  := 60 20
 FINEST := step0.5
 # Packings and lug phases of these: REALISATIONS; of the others one.
