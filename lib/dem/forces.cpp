@@ -57,17 +57,22 @@ void merge_block(const Block& block, DemWorkspace& work) {
 }  // namespace
 
 void add_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s,
-                const BlockVisitor& finished) {
+                const BlockVisitor& finished, const Alongside& alongside) {
     const auto finish = [&](Block& block) {
         merge_block(block, work);
         finished(block);
     };
     const std::size_t count = work.block.size();
+    const auto first_block_of = [&](int thread, int threads) -> std::size_t {
+        if (thread == threads) return count;
+        const double all = static_cast<double>(count) + alongside.blocks;
+        return static_cast<std::size_t>(max_of(0.0, all * thread / threads - alongside.blocks));
+    };
 #pragma omp parallel
     {
-        const auto threads = static_cast<std::size_t>(omp_get_num_threads());
-        const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-        const std::size_t begin = count * thread / threads, end = count * (thread + 1) / threads;
+        const int threads = omp_get_num_threads(), thread = omp_get_thread_num();
+        const std::size_t begin = first_block_of(thread, threads), end = first_block_of(thread + 1, threads);
+        if (thread == 0 && alongside.work) alongside.work();
         // A block waits for the blocks that reach into it: those of this thread are done when its own turn comes,
         // those of other threads after the barrier.
         for (std::size_t b = begin; b < end; ++b) {

@@ -10,12 +10,19 @@ namespace ifedem {
 /// What to do with a block whose forces are complete.
 using BlockVisitor = std::function<void(Block&)>;
 
+/// Work that neither reads what add_forces() writes nor writes what it reads.
+struct Alongside {
+    std::function<void()> work;
+    double blocks = 0;  ///< what it costs, in blocks of discs
+};
+
 /// The forces of all contacts of discs with discs and walls and, from work.wheel_force, with the wheel; tangential
 /// springs advance by `spring_step_s` (0 evaluates without advancing). Calls `finished` for each block as soon as its
 /// sums are complete and no pair still to come reads its discs, while they are in the cache. One thread a block at
-/// most; the order of every sum is fixed by the lists.
+/// most; the order of every sum is fixed by the lists. The first thread does the work alongside before its blocks, of
+/// which it gets so many fewer.
 void add_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s,
-                const BlockVisitor& finished);
+                const BlockVisitor& finished, const Alongside& alongside = {});
 
 /// A disc against a body of infinite mass at distance `centre_distance_m` along the unit vector `normal` (from the disc
 /// to the body): force on the disc, its moment and rolling limit, and the new spring.
