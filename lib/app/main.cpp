@@ -233,7 +233,7 @@ void add_points(CLI::App& app, PointsArguments& a) {
         ->required();
     points->add_option("runs", request.run_dirs, "run directories, each named WHAT-…")->required();
     points->add_option("--finest", request.finest, "the variant that errors are measured against")->required();
-    points->add_option("--default", request.plain, "the variant that the others differ from");
+    points->add_option("--plain", request.plain, "the variant that the others differ from");
     points->add_option("-o,--output", request.out_dir, "directory of points.csv and the page")->required();
     points->add_option("--title", request.title, "title");
     points->add_option("--command", request.command, "the command that made the page");
@@ -247,7 +247,7 @@ void add_points(CLI::App& app, PointsArguments& a) {
     auto* guide = app.add_subcommand("points-guide", "one page over several charts: what each second buys");
     guide->add_option("points", a.guide.point_dirs, "directories of `ifedem points`")->required();
     guide->add_option("-o,--output", a.guide.out_dir, "directory of the page and of all points")->required();
-    guide->add_option("--default", a.guide.plain, "the variant that the others differ from");
+    guide->add_option("--plain", a.guide.plain, "the variant that the others differ from");
     guide->add_option("--command", a.guide.command, "the command that made the page");
     guide->callback([&] {
         a.guide.templates = share_directory() + "/templates";

@@ -81,7 +81,7 @@ Section how_to_read() {
             "How to read the charts",
             {BulletList{{
                 "Each chapter has a page of its own with a figure a quantity and condition: cost to the right, error "
-                "up, both logarithmic; a point is one change from the chapter’s default. Lower left is better.",
+                "up, both logarithmic; a point is one change from the chapter’s whole scene. Lower left is better.",
                 "Follow the line, the Pareto front, from the left: each corner is the next variant that a longer run "
                 "buys, and how much smaller the error becomes by it.",
                 "Where the line enters the grey band it ends. There scatter rules: packings and lug phases move the "
@@ -107,7 +107,7 @@ Document compose(const GuideRequest& request) {
     ends.style = "wide";
     ends.data_file = "points.csv";
     ends.header = {"Condition",        "Quantity",  "Cheapest",      "Its error",
-                   "End of the front", "Its error", "Scatter hides", "Default’s cost over this",
+                   "End of the front", "Its error", "Scatter hides", "Whole scene’s cost over this",
                    "Text’s over this", "Reads"};
     std::size_t points = 0;
     for (const std::string& directory : request.point_dirs) {

@@ -6,7 +6,7 @@ namespace ifedem {
 
 struct GuideRequest {
     std::vector<std::string> point_dirs;  ///< what `ifedem points` wrote, one a chapter
-    std::string plain = "default";
+    std::string plain = "whole";
     std::string out_dir;
     std::string templates;  ///< directory of report.html and report.css
     std::string command;

@@ -276,7 +276,8 @@ std::vector<std::string> convergence_lines(const std::vector<Chart>& charts, con
 BulletList guide(const PointsRequest& request, const PointSet& set) {
     BulletList list;
     list.items = {
-        "A point is one variant: one change from the default, its error up, its cost to the right, both logarithmic. "
+        "A point is one variant: one change from the whole scene, its error up, its cost to the right, both "
+        "logarithmic. "
         "Lower left is better.",
         fmt::format("Cost: discs × steps of all three stages × the median ns a disc-step of the variant’s own runs, "
                     "which take turns on the machine realisation by realisation. Consolidation and sinkage are counted "
@@ -295,10 +296,11 @@ BulletList guide(const PointsRequest& request, const PointSet& set) {
         "The line is the Pareto front: no point is both cheaper and less wrong. It counts what lies in the band as the "
         "band’s edge, so it ends at the cheapest point inside. To the right of that end a second buys nothing but "
         "certainty: more realisations, not a finer model.",
-        "Crosses on the upper edge: runs that a health check stopped, at the cost they would have had (default’s ns). "
+        "Crosses on the upper edge: runs that a health check stopped, at the cost they would have had (the whole "
+        "scene’s ns). "
         "The "
         "table gives the check’s words.",
-        "window…cm: the default’s own runs averaged elsewhere; the cost is that of a travel to the window’s end.",
+        "window…cm: the whole scene’s own runs averaged elsewhere; the cost is that of a travel to the window’s end.",
     };
     for (const ModelWithoutRuns& model : request.models)
         list.items.push_back(fmt::format("{}: {}.", model.variant, model.changes));

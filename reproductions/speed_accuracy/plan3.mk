@@ -3,7 +3,7 @@ CASE   := $(CHAPTER)/cases/whole.toml
 SLIPS  := 60 20
 FINEST := step0.5
 # Packings and lug phases of these: REALISATIONS; of the others one.
-SEVERAL := step0.5 default step1.5 step2 step2.25 step3 discs1.5 discs2 depth0.5 length0.75 speed0.2 elements0.5 discs2_step3 lean
+SEVERAL := step0.5 whole fitted step1.5 step2 step2.25 step3 discs1.5 discs2 depth0.5 length0.75 speed0.2 elements0.5 discs2_step3 lean
 SINGLE  := step4 step6 rigid elastic coarse fine euler1 speed0.05
 # Runs beyond these. The text's own step is one that the chapter makes (FIDELITY=dissertation).
 MORE := step0.25-s60-r1
@@ -18,6 +18,8 @@ set_step2.25   := $(call step_set,9e-5)
 set_step3      := $(call step_set,1.2e-4) --allow-unstable
 set_step4      := $(call step_set,1.6e-4) --allow-unstable
 set_step6      := $(call step_set,2.4e-4) --allow-unstable
+# What `ifedem fit` left (reports/speed_accuracy/fit/chapter3.toml): the chapter's own case.
+case_fitted    := $(CHAPTER)/cases/B3-earth.toml
 set_euler1     := --set integrator=modified-euler-one
 set_rigid      := --set wheel.body=rigid
 set_elastic    := --set wheel.body=elastic $(call step_set,1.5e-5)
@@ -48,12 +50,12 @@ TIMES_euler1 := 1.2
 TIMES_fine := 1.5
 TIMES_elements0.5 := 1.1
 
-# The bed of these is the default's.
-DEFAULT_BED := default rigid coarse fine speed0.05 speed0.2
+# The bed of these is that of the whole scene.
+WHOLE_BED := whole rigid coarse fine speed0.05 speed0.2
 
 ifdef QUICK
 CASE    := $(HERE)/cases/short3.toml
-SEVERAL := step0.5 default step2 step4 depth0.75 elements0.5
+SEVERAL := step0.5 whole step2 step4 depth0.75 elements0.5
 SINGLE  :=
 MORE    :=
 set_depth0.75 := --set bed.disc_count=1800

@@ -1,8 +1,8 @@
-# Chapter 4: one change each from its default, the tyre under 980 N. Contact stress as well; the semi-empirical wheel beside it.
+# Chapter 4: one change each from its whole scene, the tyre under 980 N. Contact stress as well; the semi-empirical wheel beside it.
 CASE   := $(CHAPTER)/cases/tyre.toml
 SLIPS  := 22 55
 FINEST := step0.5
-SEVERAL := step0.5 default step1.25 discs2 discs2_step2 lean
+SEVERAL := step0.5 whole step1.25 discs2 discs2_step2 lean
 SINGLE  := step2 step3 discs1.5 depth0.5 length0.85 elements0.5
 # At 22 % alone: a step, a speed, wheels, and smaller steps if the chapter has made them (`step` of its chapter.mk).
 MORE := step1.5-s22-r1 speed2-s22-r1 rigid-s22-r1 coarse-s22-r1 fine-s22-r1 $(foreach p,0.25:dt1e5 0.125:dt5e6,$(if $(wildcard \
@@ -40,12 +40,12 @@ TIMES_step2 := 0
 TIMES_step3 := 0
 TIMES_fine := 1.5
 TIMES_elements0.5 := 1.1
-DEFAULT_BED := default rigid coarse fine speed2
+WHOLE_BED := whole rigid coarse fine speed2
 
 ifdef QUICK
 CASE    := $(CHAPTER)/cases/short.toml
 SLIPS   := 22
-SEVERAL := step0.5 default
+SEVERAL := step0.5 whole
 SINGLE  := step2
 MORE    :=
 PLATES  :=

@@ -1,9 +1,9 @@
-# Chapter 5: the tyre at 40 % over discs only, the default, and over the text's regions; changes of the small region, and savings of
+# Chapter 5: the tyre at 40 % over discs only, the whole scene, and over the text's regions; changes of the small region, and savings of
 # discs only.
 CASE   := $(CHAPTER)/cases/discs.toml
 SLIPS  := 40
 FINEST := step0.5
-SEVERAL := step0.5 default row large middle small adaptive small_step0.5 small_step1.5 small_discs1.5 small_discs2 small_handover step1.5 discs2
+SEVERAL := step0.5 whole row large middle small adaptive small_step0.5 small_step1.5 small_discs1.5 small_discs2 small_handover step1.5 discs2
 SINGLE  := discs1.5 depth0.5 length0.8 rigid step2 small_step2 small_rigid small_fine small_speed2
 MORE    :=
 
@@ -38,11 +38,11 @@ set_small_speed2   := --set travel.speed_m_s=0.1952
 TIMES_small := 1.1
 TIMES_step2 := 0
 TIMES_small_step2 := 0
-DEFAULT_BED := default rigid
+WHOLE_BED := whole rigid
 
 ifdef QUICK
 CASE    := $(CHAPTER)/cases/short.toml
-SEVERAL := step0.5 default
+SEVERAL := step0.5 whole
 SINGLE  := step2 handover
 set_handover := --set elements.stress_handover=mean
 endif

@@ -51,7 +51,7 @@ sets_of = $(if $(filter $(1),$(PLATES)),--set bed.seed=1 --set wheel.load_N=$(pa
   bed.seed=$(call realisation_of,$(1)) $(if $(call phase_of,$(1)),--set wheel.lug_phase_deg=$(call phase_of,$(1))) $(set_$(call what,$(1))))
 slip_of = $(if $(filter $(1),$(PLATES)),,--set travel.slip_percent=$(patsubst s%,%,$(call part,$(1),2)))
 sunk_of = $(if $(filter $(1),$(PLATES)),sunk-$(1),sunk-$(call what,$(1))-r$(call realisation_of,$(1)))
-bed_of = bed-$(if $(filter $(call what,$(1)),$(DEFAULT_BED) plate),default,$(call what,$(1)))-r$(or $(call realisation_of,$(1)),1)
+bed_of = bed-$(if $(filter $(call what,$(1)),$(WHOLE_BED) plate),whole,$(call what,$(1)))-r$(or $(call realisation_of,$(1)),1)
 times_of = $(or $(TIMES_$(call what,$(1))),$(TIMES_$(firstword $(subst _, ,$(call what,$(1))))),1)
 
 # What would be run: a line a run with its sunk wheel, how much dearer its disc-steps are, what `ifedem find` says, and whether it ended.

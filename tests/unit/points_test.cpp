@@ -29,7 +29,7 @@ protected:
             fresh_directory(std::string("points-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
         for (int k = 1; k <= 3; ++k) {
             add("fine", k, 100.0 + k, 1e-5, 1'000'000, 10);
-            add("default", k, 104.0 + k, 4e-5, 250'000, 9.0 + k);  // median 11
+            add("whole", k, 104.0 + k, 4e-5, 250'000, 9.0 + k);  // median 11
         }
         request.references_path = references;
         request.finest = "fine";
@@ -69,14 +69,14 @@ protected:
 
 TEST_F(Points, CostIsRelativeToTheTextsScene) {
     const PointSet set = measured();
-    // fine: the text's own discs and step, so exactly 1; default: a quarter of the steps at 11 ns against 10.
+    // fine: the text's own discs and step, so exactly 1; whole: a quarter of the steps at 11 ns against 10.
     EXPECT_NEAR(find(set, "fine").relative_cost, 1, 1e-12);
-    EXPECT_NEAR(find(set, "default").relative_cost, 0.25 * 1.1, 1e-12);
+    EXPECT_NEAR(find(set, "whole").relative_cost, 0.25 * 1.1, 1e-12);
 }
 
 TEST_F(Points, ErrorsAreAgainstTheFinestAndTheText) {
     const PointSet set = measured();
-    const Point p = find(set, "default");
+    const Point p = find(set, "whole");
     EXPECT_EQ(p.chapter, 3);
     EXPECT_EQ(p.n, 3U);
     EXPECT_NEAR(p.error_fine, 4, 0.01);
@@ -91,7 +91,7 @@ TEST_F(Points, AWindowCostsATravelToItsEnd) {
     const PointSet set = measured();
     // 0.2–0.4 m of 0.8 m: 4 s of the 8 s of travel are saved, of 10 s simulated in all.
     const Point p = find(set, "window20-40cm");
-    EXPECT_NEAR(p.relative_cost, find(set, "default").relative_cost * (1 - 4.0 / 10), 1e-3);
+    EXPECT_NEAR(p.relative_cost, find(set, "whole").relative_cost * (1 - 4.0 / 10), 1e-3);
     EXPECT_EQ(p.n, 3U);
 }
 
@@ -103,14 +103,14 @@ TEST_F(Points, AStoppedRunStaysOnTheChart) {
     const Point p = find(measured(), "coarse");
     EXPECT_EQ(p.stopped, "a disc goes its radius within a step.");
     EXPECT_TRUE(std::isnan(p.error_fine));
-    EXPECT_NEAR(p.relative_cost, 0.125 * 1.1, 1e-12);  // its steps, the default's ns
+    EXPECT_NEAR(p.relative_cost, 0.125 * 1.1, 1e-12);  // its steps, the whole scene's ns
 }
 
 TEST_F(Points, FewerRealisationsHideMore) {
     for (int k = 1; k <= 3; ++k) add("pair", k, 104.0 + 2 * k, 8e-5, 125'000, 10);  // differences to fine 5, 6, 7
     add("single", 1, 110, 8e-5, 125'000, 10);
     const Chart chart = measured().charts.front();
-    // Variants' differences: default 4, 4, 4, pair 5, 6, 7, single 9: s² = 2/4, ν = 4.
+    // Variants' differences: whole 4, 4, 4, pair 5, 6, 7, single 9: s² = 2/4, ν = 4.
     constexpr double t4 = 2.776445105197799;  // tables: 0.975, ν = 4
     EXPECT_NEAR(chart.floor(3), t4 * std::sqrt(0.5 / 3), 0.01);
     EXPECT_NEAR(chart.floor(1), t4 * std::sqrt(0.5), 0.02);
@@ -137,14 +137,14 @@ TEST_F(Points, FurtherQuantitiesComeFromTheRunsDirectory) {
     const auto is_stress = [](const Point& p) { return p.quantity == "greatest_normal_stress_kPa"; };
     EXPECT_EQ(std::ranges::count_if(set.points, is_stress), 2);  // not for windows
     for (const Point& p : set.points)
-        if (is_stress(p) && p.variant == "default") EXPECT_NEAR(p.error_fine, 3, 1e-12);
+        if (is_stress(p) && p.variant == "whole") EXPECT_NEAR(p.error_fine, 3, 1e-12);
 }
 
 TEST_F(Points, TheGuideNamesBothEndsOfAFront) {
     for (int k = 1; k <= 3; ++k) add("rough", k, 140.0 + k, 8e-5, 125'000, 10);
     write_points(request);
     const std::string out = (root / "guide").string();
-    write_points_guide({{request.out_dir}, "default", out, find_root(references) + "/reports/templates", "make x"});
+    write_points_guide({{request.out_dir}, "whole", out, find_root(references) + "/reports/templates", "make x"});
     EXPECT_EQ(read_text(out + "/points.csv"), read_text(request.out_dir + "/points.csv"));
     const CsvTable front = read_csv(request.out_dir + "/front.csv");
     EXPECT_EQ(front.rows.front().cells[front.require("variant")], "rough");
