@@ -99,6 +99,9 @@ quick-chapter%: build ## the same machinery on short runs, under two minutes
 sensitivity-chapter%: build ## what each choice that the text leaves open does to the results
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk sensitivity
 
+doubt-chapter%: build ## what moves in a chapter's case with twice its size and fineness, or half its step
+	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk doubt
+
 SPEED = $(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk
 SPEED_CHAPTERS := $(or $(CHAPTER),3 4 5)
 speed-accuracy: build ## charts of cost against error, CHAPTER=3, 4, 5 or all (an hour of CPU each, resumable): build/reports/speed_accuracy/

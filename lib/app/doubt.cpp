@@ -25,17 +25,37 @@ Case make_stable(Case c) {
     return c;
 }
 
-/// The case itself first.
-std::vector<Variant> list_variants(const Case& c) {
+/// Something there may be more of.
+struct Increase {
+    std::string_view name;
+    Case (*apply)(const Case& c);
+    bool (*is_possible)(const Case& c);
+};
+
+bool has_discs_only(const Case& c) { return c.elements.columns == 0; }
+bool always(const Case&) { return true; }
+
+constexpr Increase all_increases[] = {
+    {"depth", [](const Case& c) { return with_depth(c, 2); }, has_discs_only},
+    {"length", [](const Case& c) { return with_length(c, 2); }, has_discs_only},
+    {"discs", [](const Case& c) { return make_stable(with_disc_radii(c, 0.5)); }, has_discs_only},
+    {"region", [](const Case& c) { return with_region(c, 2); }, has_region},
+    {"mesh", [](const Case& c) { return make_stable(with_mesh(c, 2)); }, can_refine_mesh},
+    {"step", [](const Case& c) { return with_time_step(c, 0.5); }, always}};
+
+/// The case itself first, then what there can be more of.
+std::vector<Variant> list_variants(const Case& c, const std::string& only) {
+    const std::vector<std::string> wanted = split(only, ',');
+    for (const std::string& name : wanted)
+        if (std::ranges::find(all_increases, name, &Increase::name) == std::end(all_increases))
+            fail_input(
+                fmt::format("--only {}: '{}' is nothing that can be more (there are depth, length, discs, region, "
+                            "mesh, step). Correct it?",
+                            only, name));
     std::vector<Variant> variants = {{"default", c}};
-    if (c.elements.columns == 0) {
-        variants.push_back({"depth", with_depth(c, 2)});
-        variants.push_back({"length", with_length(c, 2)});
-        variants.push_back({"discs", make_stable(with_disc_radii(c, 0.5))});
-    }
-    if (has_region(c)) variants.push_back({"region", with_region(c, 2)});
-    if (can_refine_mesh(c)) variants.push_back({"mesh", make_stable(with_mesh(c, 2))});
-    variants.push_back({"step", with_time_step(c, 0.5)});
+    for (const Increase& more : all_increases)
+        if (more.is_possible(c) && std::ranges::find(wanted, more.name) != wanted.end())
+            variants.push_back({std::string(more.name), more.apply(c)});
     return variants;
 }
 
@@ -83,7 +103,7 @@ int run_doubt(const DoubtRequest& request) {
     const std::vector<ComparedMetric> quantities = parse_quantities(request.quantities);
     const double tolerance = parse_tolerance(request.tolerance);
     const Case original = read_case(request.case_path, request.overrides);
-    const std::vector<Variant> variants = list_variants(original);
+    const std::vector<Variant> variants = list_variants(original, request.increases);
     const VariantRequest runs{request.case_path, request.directory, original, request.realisations, request.options};
     (void)plan_variants(runs, variants);  // says what is wrong before anything is written
     std::filesystem::create_directories(request.directory);

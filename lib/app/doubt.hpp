@@ -13,6 +13,7 @@ struct DoubtRequest {
     std::vector<Override> overrides;
     std::string quantities = "H,Pd,R,z";
     std::string tolerance = "5%";
+    std::string increases = "depth,length,discs,region,mesh,step";  ///< what may be more
     int realisations = 3;
     RunSetOptions options;
 };

@@ -134,6 +134,7 @@ void add_doubt(CLI::App& app, DoubtRequest& request, std::vector<std::string>& s
         app.add_subcommand("doubt", "what moves with twice the depth, length and resolution, or half the step");
     add_comparison(*doubt, request, sets);
     doubt->add_option("-o,--output", request.directory, "directory of the runs and doubt.csv")->required();
+    doubt->add_option("--only", request.increases, "what may be more: depth,length,discs,region,mesh,step");
     doubt->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
         code = run_doubt(request);

@@ -23,7 +23,7 @@ RUNS := $(call slips_of,B3-earth-170N) $(call more_of,B3-earth-170N-s60,2 3 4 5 
         $(foreach w,B6-earth-170N B6-mars-64.4N B3-earth-100N B3-earth-50N,$(call more_of,$(w)-s60,2 3)) \
         $(foreach l,$(wordlist 2,5,$(LOADS)),$(foreach w,B3 B6,$(call slips_of,$(w)-earth-$(l)N)))
 
-.PHONY: reproduce runs report quick sensitivity fidelity doubt beside-whole
+.PHONY: reproduce runs report quick sensitivity fidelity beside-whole
 
 # FIDELITY=dissertation CASE=B3-earth-170N-s60-r1: this run with the text's own step, all three stages, against its 45,400 s.
 ifeq ($(FIDELITY),dissertation)
@@ -61,15 +61,13 @@ $(OUT)/stiffness/stiffness_summary.csv: $(INPUTS)
 	@exec > /dev/null 2> $(OUT)/logs/stiffness.log; \
 	exec $(IFEDEM) stiffness $(CHAPTER)/cases/B3-earth.toml $(CHAPTER)/cases/B6-earth.toml -o $(OUT)/stiffness
 
+DOUBT := $(CHAPTER)/cases/B3-earth.toml --set travel.slip_percent=60
+
 # What the sensitivity sweep and `doubt` found, if they were run.
-FOUND := $(patsubst %/,%,$(dir $(wildcard build/runs/chapter3-sensitivity/effects.csv $(OUT)/doubt/doubt.csv)))
+FOUND = $(patsubst %/effects.csv,%,$(wildcard build/runs/chapter3-sensitivity/effects.csv)) $(doubted)
 
 sensitivity:
 	@$(MAKE) --no-print-directory -f $(CHAPTER)/sensitivity.mk sensitivity
-
-# What moves with twice the depth, length, fineness: B3 on Earth at 60 %.
-doubt: $(INPUTS)
-	@$(IFEDEM) doubt $(CHAPTER)/cases/B3-earth.toml --set travel.slip_percent=60 --n $(or $(N),3) --jobs $(JOBS) --stages $(STAGES) -o $(OUT)/doubt
 
 # Both scenes' tables of runs, travel by travel.
 beside-whole:

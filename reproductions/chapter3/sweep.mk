@@ -16,7 +16,7 @@ CASES  := $(filter-out %/short.toml,$(wildcard $(CHAPTER)/cases/*.toml))
 INPUTS := $(OUT)/inputs.txt
 
 .SECONDARY:
-.PHONY: sweep travels FORCE
+.PHONY: sweep travels doubt FORCE
 
 # Renewed only when its text changes, so that rebuilding the program or touching a case does not repeat the sweep. Tasks share
 # the file and only compare: a machine that has another program must not repeat the sweep of all.
@@ -57,6 +57,11 @@ endef
 # Those of the runs that are done, as directories; what failed is not among them, nor what an older program left.
 fresh = $$(for r in $(1); do [ $(OUT)/$$r/run.csv -nt $(INPUTS) ] && echo $(OUT)/$$r; done)
 fresh_runs = $(call fresh,$(RUNS))
+
+# DOUBT: case, condition and options. What moves with twice its size and fineness; the report has the table.
+doubt: $(INPUTS)
+	@$(IFEDEM) doubt $(DOUBT) --jobs $(JOBS) --stages $(STAGES) -o $(OUT)/doubt
+doubted = $(patsubst %/doubt.csv,%,$(wildcard $(OUT)/doubt/doubt.csv))
 
 # All travels, whatever fails; then the list of what did. Both the engine and the watcher run beside the shell, so that it can
 # stop them when it is stopped.

@@ -65,6 +65,8 @@ $(foreach s,$(SUNK),$(eval $(call bed_rule,bed-$(s),$(call case_of,$(s)),$(call 
 $(foreach s,$(SUNK),$(eval $(call sunk_rule,$(s),$(call case_of,$(s)),$(call sets_of,$(s)),bed-$(s))))
 $(foreach r,$(RUNS),$(eval $(call travel_rule,$(r),$(call case_of,$(r)),$(call sets_of,$(r)) $(call slip_of,$(r)),$(call sunk_of,$(r)))))
 
+DOUBT := $(CHAPTER)/cases/small.toml --set travel.slip_percent=40
+
 travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS))) $(OUT)/confined/measurements.csv
 
 LAST_FILES += $(OUT)/confined/measurements.csv
@@ -74,7 +76,7 @@ $(OUT)/confined/measurements.csv: $(INPUTS)
 # Of `more` what there is.
 report: $(INPUTS)
 	@$(CHAPTER)/measure/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs) $(call fresh,$(MORE))
-	@$(IFEDEM) report $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT) \
+	@$(IFEDEM) report $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined $(doubted) -o $(REPORT) \
 	  --title "Chapter 5: soil that changes between elements and discs" --command "$(COMMAND)"
 	@cp $(OUT)/measured/runs.csv $(OUT)/measured/measurements.csv $(REPORT)/
 	@echo "report: $(REPORT)/index.html"

@@ -95,6 +95,17 @@ TEST_F(Variants, DoubtSaysWhatTheRunsSay) {
     EXPECT_NE(second.errors.find("12 runs, 12 of them complete already"), std::string::npos) << second.errors;
     EXPECT_EQ(ends("doubt"), before_again);
     EXPECT_EQ(read_text(scratch.file("doubt/doubt.csv")), text);
+
+    std::vector<std::string> fewer = command;
+    fewer.insert(fewer.end(), {"--only", "step,mesh"});
+    ASSERT_EQ(run(fewer).status, 0);
+    const Table part{read_csv(scratch.file("doubt/doubt.csv"))};
+    ASSERT_EQ(part.csv.rows.size(), 4U);
+    for (std::size_t row = 0; row < 4; ++row) EXPECT_EQ(part.csv.rows[row].cells, table.csv.rows[row + 6].cells);
+    fewer.back() = "mass";
+    const ProgramEnd refused = run(fewer);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.errors.find("'mass' is nothing that can be more"), std::string::npos) << refused.errors;
 }
 
 TEST_F(Variants, FitKeepsWhatItsLogSays) {
