@@ -19,7 +19,7 @@
 namespace ifedem {
 namespace {
 
-/// A finer case may need a smaller step.
+/// A finer mesh may need a smaller step.
 Case make_stable(Case c) {
     while (find_certain_excess(c)) c = with_time_step(c, 0.5);
     return c;
@@ -38,7 +38,7 @@ bool always(const Case&) { return true; }
 constexpr Increase all_increases[] = {
     {"depth", [](const Case& c) { return with_depth(c, 2); }, has_discs_only},
     {"length", [](const Case& c) { return with_length(c, 2); }, has_discs_only},
-    {"discs", [](const Case& c) { return make_stable(with_disc_radii(c, 0.5)); }, has_discs_only},
+    {"discs", [](const Case& c) { return with_time_step(with_disc_radii(c, 0.5), 0.5); }, has_discs_only},
     {"region", [](const Case& c) { return with_region(c, 2); }, has_region},
     {"mesh", [](const Case& c) { return make_stable(with_mesh(c, 2)); }, can_refine_mesh},
     {"step", [](const Case& c) { return with_time_step(c, 0.5); }, always}};

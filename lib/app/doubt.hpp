@@ -22,11 +22,11 @@ struct DoubtRequest {
 /// same realisations, and writes DIR/doubt.csv, a line a variant and quantity:
 /// - depth: twice the discs at the same length, with twice the time to settle;
 /// - length: bed, discs and the wheel's starting place doubled: twice the soil behind the wheel, at least twice ahead;
-/// - discs: half the radii, four times the discs;
+/// - discs: half the radii, four times the discs, half the step: the same share of the contacts' limit;
 /// - mesh: twice the wheel's rings and columns between lugs (not for plates and wheels from Gmsh);
 /// - step: half of time_step_s;
 /// - region: twice the blocks of discs between soil elements.
-/// Where the finer case's own certain limits ask for it, the step is halved too; the column `changes` says so. The
+/// Where the finer mesh's own limit asks for it, the step is halved too; the column `changes` says so. The
 /// soil's elements fix the bed's size and its discs: cases with them are doubted by region, mesh and step. Returns what
 /// the program returns: done, the worst status of a variant that failed (its lines say so), or 128 + a signal. Throws
 /// Error with the default's status if that fails.
