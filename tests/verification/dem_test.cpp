@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
+#include "dem/threads.hpp"
 #include "step/integrate_discs.hpp"
 #include "support/collisions.hpp"
 #include "support/disc_on_plane.hpp"
@@ -260,6 +262,28 @@ TEST(Rolling, spring_of_other_codes_is_linear_up_to_its_cap) {
     }
     EXPECT_TRUE(capped);
     EXPECT_LT(worst, 1e-11);  // the overlap, 1e-5 of a position of up to 0.5 m, keeps 11 digits
+}
+
+// ---- Blocks -------------------------------------------------------------------------------------------------------
+
+TEST(Blocks, are_all_finished_once_beside_any_work_on_any_threads) {
+    std::vector<Disc> discs;
+    for (int n = 0; n < 5000; ++n) discs.push_back(make_disc({0.0041 * (n % 100), 0.0041 * (n / 100)}, 0.002, 0.004));
+    World w = make_world(make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.5), 0.2, 1e-5), discs);
+    update_lists(w.scene.dem, w.state, w.work.dem);
+    ASSERT_EQ(w.work.dem.block.size(), 5U);
+    for (const int threads : {1, 2, 3, 5, 8})
+        for (const double cost : {0.0, 0.7, 1.6, 4.0, 100.0}) {
+            set_threads(threads);
+            std::atomic<int> beside = 0;
+            std::array<std::atomic<int>, 5> finished{};
+            add_forces(w.scene.dem, w.state, w.work.dem, 0.0,
+                       [&](Block& block) { ++finished[block.disc_begin / discs_per_block]; },
+                       {[&] { ++beside; }, cost});
+            EXPECT_EQ(beside, 1) << threads << " threads, " << cost;
+            for (const auto& times : finished) EXPECT_EQ(times, 1) << threads << " threads, " << cost;
+        }
+    set_threads(1);
 }
 
 // ---- Statics ------------------------------------------------------------------------------------------------------
