@@ -78,6 +78,7 @@ report: $(INPUTS)
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(FOUND) -o $(REPORT) \
 	  --title "Chapter 3: an elastic rover wheel on sand" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
+	@$(keep_doubt)
 	@awk -f $(CHAPTER)/equal_slip.awk $(REPORT)/runs.csv > $(REPORT)/equal_slip.csv
 	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(FOUND) -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }

@@ -61,6 +61,7 @@ fresh_runs = $(call fresh,$(RUNS))
 # DOUBT: case, condition and options. What moves with twice its size and fineness; the report has the table.
 doubt: $(INPUTS)
 	@$(IFEDEM) doubt $(DOUBT) --jobs $(JOBS) --stages $(STAGES) -o $(OUT)/doubt
+keep_doubt = $(if $(doubted),cp $(doubted)/doubt.csv $(REPORT)/,:)
 doubted = $(patsubst %/doubt.csv,%,$(wildcard $(OUT)/doubt/doubt.csv))
 
 # All travels, whatever fails; then the list of what did. Both the engine and the watcher run beside the shell, so that it can

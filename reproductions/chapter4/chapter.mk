@@ -107,6 +107,7 @@ report: $(INPUTS)
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress $(OUT)/soil $(FOUND) -o $(REPORT) \
 	  --title "Chapter 4: contact stress under a tyre" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
+	@$(keep_doubt)
 	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stress $(OUT)/soil $(FOUND) -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }
 

@@ -78,6 +78,7 @@ report: $(INPUTS)
 	@$(CHAPTER)/measure/measure.sh $(IFEDEM) $(OUT)/measured $(fresh_runs) $(call fresh,$(MORE))
 	@$(IFEDEM) report $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined $(doubted) -o $(REPORT) \
 	  --title "Chapter 5: soil that changes between elements and discs" --command "$(COMMAND)"
+	@$(keep_doubt)
 	@cp $(OUT)/measured/runs.csv $(OUT)/measured/measurements.csv $(REPORT)/
 	@echo "report: $(REPORT)/index.html"
 	@$(IFEDEM) check $(CHAPTER)/claims.csv $(OUT)/measured $(OUT)/confined -o $(REPORT)/checks.csv
