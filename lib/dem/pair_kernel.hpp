@@ -227,8 +227,8 @@ IFEDEM_INLINE void add_to_j(DiscForce& to, const Four& f) {
     const Four sum = load_as<Four>(&to.x_N) + f;
     __builtin_memcpy(&to.x_N, &sum, sizeof sum);
 }
-/// The force is the opposite one, what turns is the same (of a rolling spring's moment: the opposite too). The sums of a
-/// disc's pairs wait for each other: one instruction where vectors can add and subtract in turn, else one after signs
+/// The force is the opposite one, what turns is the same (of a rolling spring's moment: the opposite too). The sums of
+/// a disc's pairs wait for each other: one instruction where vectors can add and subtract in turn, else one after signs
 /// that are ready before.
 template <PairRolling R>
 IFEDEM_INLINE void add_to_i(DiscForce& to, const Four& f) {
