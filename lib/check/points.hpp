@@ -38,7 +38,7 @@ struct ModelWithoutRuns {
 struct PointsRequest {
     std::string references_path;  ///< quantity,wheel,gravity,load_N,slip_percent,id: the ledger rows to compare with
     std::vector<std::string> run_dirs;  ///< each named WHAT-…; WHAT is the variant
-    std::string plain = "whole";      ///< the variant that the others differ from by one change
+    std::string plain = "whole";        ///< the variant that the others differ from by one change
     std::string finest;                 ///< the variant that errors are measured against
     std::string out_dir;
     std::string title;
