@@ -32,7 +32,6 @@ struct Increase {
     bool (*is_possible)(const Case& c);
 };
 
-bool has_discs_only(const Case& c) { return c.elements.columns == 0; }
 bool always(const Case&) { return true; }
 
 constexpr Increase all_increases[] = {
@@ -46,12 +45,7 @@ constexpr Increase all_increases[] = {
 /// The case itself first, then what there can be more of.
 std::vector<Variant> list_variants(const Case& c, const std::string& only) {
     const std::vector<std::string> wanted = split(only, ',');
-    for (const std::string& name : wanted)
-        if (std::ranges::find(all_increases, name, &Increase::name) == std::end(all_increases))
-            fail_input(
-                fmt::format("--only {}: '{}' is nothing that can be more (there are depth, length, discs, region, "
-                            "mesh, step). Correct it?",
-                            only, name));
+    for (const std::string& name : wanted) (void)find_named(all_increases, name, only, "more");
     std::vector<Variant> variants = {{"default", c}};
     for (const Increase& more : all_increases)
         if (more.is_possible(c) && std::ranges::find(wanted, more.name) != wanted.end())

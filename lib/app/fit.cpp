@@ -34,7 +34,6 @@ struct Reduction {
     bool (*is_possible)(const Case& c);
 };
 
-bool has_discs_only(const Case& c) { return c.elements.columns == 0; }
 bool always(const Case&) { return true; }
 Case with_fewer_steps(const Case& c, double share) { return with_time_step(c, 1 / share); }
 
@@ -48,14 +47,9 @@ constexpr Reduction all_reductions[] = {{"step", Saves::disc_steps, with_fewer_s
 std::vector<Reduction> parse_reductions(const std::string& text, const Case& c) {
     std::vector<Reduction> reductions;
     for (const std::string& name : split(text, ',')) {
-        const auto* found = std::ranges::find(all_reductions, name, &Reduction::name);
-        if (found == std::end(all_reductions))
-            fail_input(
-                fmt::format("--only {}: '{}' is nothing that can be less (there are step, depth, behind, ahead, "
-                            "region, mesh). Correct it?",
-                            text, name));
-        if (found->is_possible(c)) {
-            reductions.push_back(*found);
+        const Reduction& found = find_named(all_reductions, name, text, "less");
+        if (found.is_possible(c)) {
+            reductions.push_back(found);
         } else {
             fmt::print(stderr,
                        "{}: left as it is (soil elements fix the bed and alone leave a region of discs, a file or a "

@@ -1,9 +1,13 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/run_set.hpp"
 #include "check/metrics.hpp"
+#include "core/error.hpp"
 #include "model/case.hpp"
 
 namespace ifedem {
@@ -38,6 +42,20 @@ struct MeasuredVariant {
 /// (signal_of_children()) what it returns says nothing.
 [[nodiscard]] std::vector<MeasuredVariant> measure_variants(const VariantRequest& request,
                                                             const std::vector<Variant>& variants);
+
+/// The entry of this name in the table that `--only TEXT` chooses from. Throws Error(bad_input), listing the names;
+/// `how`: what there is "less" or "more" of.
+template <class Entry, std::size_t N>
+[[nodiscard]] const Entry& find_named(const Entry (&table)[N], const std::string& name, const std::string& only,
+                                      std::string_view how) {
+    std::string names;
+    for (const Entry& entry : table) {
+        if (entry.name == name) return entry;
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    fail_input(
+        fmt::format("--only {}: '{}' is nothing that can be {} (there are {}). Correct it?", only, name, how, names));
+}
 
 /// "bed.disc_count = 600, bed.length_m = 1.2".
 [[nodiscard]] std::string describe_settings(const Case& from, const Case& to);

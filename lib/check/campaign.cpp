@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -58,10 +57,7 @@ void read_doubts(const std::filesystem::path& directory, Campaign& campaign) {
     const CsvTable table = read_csv((directory / "doubt.csv").string());
     for (const auto& row : table.rows) {
         const auto text = [&](const char* column) { return row.cells[table.require(column)]; };
-        // Cells of a variation that did not run are empty.
-        const auto number = [&](const char* column) {
-            return parse_number(text(column)).value_or(std::numeric_limits<double>::infinity());
-        };
+        const auto number = [&](const char* column) { return number_or_infinity(table, row, column); };
         campaign.doubts.push_back({text("variation"), text("changes"), text("quantity"), text("unit"),
                                    static_cast<std::size_t>(cell_number(table, row, "n")), number("difference"),
                                    number("half_width"), number("tolerance"), text("verdict"),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -128,6 +129,10 @@ std::optional<double> parse_number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;
+}
+
+double number_or_infinity(const CsvTable& table, const CsvRow& row, std::string_view column) {
+    return parse_number(row.cells[table.require(column)]).value_or(std::numeric_limits<double>::infinity());
 }
 
 std::string format_number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string(); }

@@ -45,6 +45,10 @@ void write_text(const std::string& path, const std::string& text);
 /// The whole text as a number, whatever the locale; nothing if it is not one.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
+/// A row's number in a column; infinite where the cell is empty or no number: what is not known, such as the half-width
+/// of a single run. Throws Error(bad_input) if the column is missing.
+[[nodiscard]] double number_or_infinity(const CsvTable& table, const CsvRow& row, std::string_view column);
+
 /// Six significant digits; an empty cell for what is not finite.
 [[nodiscard]] std::string format_number(double value);
 

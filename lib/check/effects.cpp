@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "check/csv.hpp"
@@ -170,10 +169,7 @@ std::vector<Effect> read_effects(const std::string& path) {
     std::vector<Effect> effects;
     for (const auto& row : table.rows) {
         const auto text = [&](const char* column) { return row.cells[table.require(column)]; };
-        // An empty cell is what is not known, such as the half-width of a single run without scatter.
-        const auto number = [&](const char* column) {
-            return parse_number(text(column)).value_or(std::numeric_limits<double>::infinity());
-        };
+        const auto number = [&](const char* column) { return number_or_infinity(table, row, column); };
         effects.push_back({text("variant"), text("changes"), text("gravity"), number("load_N"), number("slip_percent"),
                            static_cast<std::size_t>(number("n")), text("metric"), number("default"),
                            number("default_U"), number("value"), number("value_U"), number("effect"),

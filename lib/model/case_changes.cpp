@@ -99,6 +99,8 @@ Case with_region(const Case& c, double factor) {
     return changed;
 }
 
+bool has_discs_only(const Case& c) { return c.elements.columns == 0; }
+
 bool has_region(const Case& c) { return c.elements.columns > 0 && c.elements.disc_columns > 0; }
 
 Case with_disc_radii(const Case& c, double factor) {

@@ -25,6 +25,9 @@ namespace ifedem {
 /// conversions' margin changes with them. Where they would leave the grid they end with it.
 [[nodiscard]] Case with_region(const Case& c, double factor);
 
+/// False where soil elements fix the bed's size.
+[[nodiscard]] bool has_discs_only(const Case& c);
+
 /// False without a region of discs between soil elements.
 [[nodiscard]] bool has_region(const Case& c);
 

@@ -72,6 +72,7 @@ sensitivity:
 # Both scenes' tables of runs, travel by travel.
 beside-whole:
 	@awk -f $(CHAPTER)/beside_whole.awk build/reports/chapter3-whole/runs.csv $(REPORT)/runs.csv > $(REPORT)/beside_whole.csv
+	@cp build/reports/chapter3-whole/runs.csv $(REPORT)/whole_runs.csv
 	@cat $(REPORT)/beside_whole.csv
 
 report: $(INPUTS)
