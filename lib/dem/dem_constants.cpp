@@ -33,10 +33,6 @@ std::vector<WallDisc> make_wall_discs(double length_m, double height_m, double r
 
 }  // namespace
 
-double dashpot_Ns_m(double damping_ratio, double stiffness_N_m, double reduced_mass_kg) {
-    return 2.0 * damping_ratio * std::sqrt(stiffness_N_m * reduced_mass_kg);
-}
-
 DemConstants make_dem_constants(const Case& c, double friction_soil, double friction_wall) {
     DemConstants k;
     k.soil = make_contact(c.contact, friction_soil);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "core/vec2.hpp"
@@ -54,6 +55,8 @@ struct DemConstants {
 [[nodiscard]] DemConstants make_dem_constants(const Case& c, double friction_soil, double friction_wall);
 
 /// 2 ζ √(K m): the dashpot of a pair of reduced mass m (Eq 2.17's C_n at damping ratio ζ).
-[[nodiscard]] double dashpot_Ns_m(double damping_ratio, double stiffness_N_m, double reduced_mass_kg);
+[[nodiscard]] inline double dashpot_Ns_m(double damping_ratio, double stiffness_N_m, double reduced_mass_kg) {
+    return 2.0 * damping_ratio * std::sqrt(stiffness_N_m * reduced_mass_kg);
+}
 
 }  // namespace ifedem

@@ -63,11 +63,10 @@ struct DemWorkspace {
     std::vector<WallCandidate> wall;      ///< as State::wall_contacts, with positions
     std::vector<WheelForce> wheel_force;  ///< of this step, sorted by position
     // As State's outer pairs: what a refresh copies into the arrays above.
-    std::vector<double> outer_damping_Ns_m;
     std::vector<WallCandidate> outer_wall;
     // Scratch of a refresh.
     std::vector<std::uint32_t> next_inner;
-    std::vector<double> next_spring_m, next_rolling_Nm;
+    std::vector<double> next_rolling_Nm;
     std::vector<double> block_spring;  ///< of one block, by outer pair
     std::vector<BoundaryContact> next_wall;
     bool refresh_inner = true;

@@ -16,13 +16,19 @@ namespace {
 /// Room for `count` items with little more memory than that: by itself a vector takes twice what it had.
 template <class T>
 void reserve_closely(std::vector<T>& list, std::size_t count) {
-    if (count > list.capacity()) list.reserve(count + count / 16);
+    if (count > list.capacity()) list.reserve(count + count / 32);
 }
 
 template <class T>
 void lengthen(std::vector<T>& list, std::size_t count) {
     reserve_closely(list, count);
     if (count > list.size()) list.resize(count);
+}
+
+/// Gives back what a rebuild needed for all outer pairs and the inner list does not.
+template <class T>
+void trim(std::vector<T>& list) {
+    if (list.capacity() > list.size() + list.size() / 8) list.shrink_to_fit();
 }
 
 template <class T>
@@ -222,12 +228,10 @@ std::size_t choose_inner_pairs(const Block& block, const State& state, DemWorksp
     const Reference* reference = p.inner_reference.data();
     const std::size_t most = kept + (block.outer_end - block.outer_begin);
     for (auto* list : {&work.i, &work.j, &work.next_inner}) lengthen(*list, most);
-    lengthen(work.damping_Ns_m, most);
     for (std::uint32_t n = block.outer_begin; n < block.outer_end; ++n) {
         const std::uint32_t i = p.i[n], j = p.j[n];
         work.i[kept] = i, work.j[kept] = j;
         work.next_inner[kept] = n;
-        work.damping_Ns_m[kept] = work.outer_damping_Ns_m[n];
         kept += is_within(disc[i], disc[j], reference[i].skin_m + reference[j].skin_m) ? 1U : 0U;
     }
     return kept;
@@ -247,8 +251,21 @@ void carry_springs(const Block& block, std::size_t old, std::size_t old_end, con
     for (std::size_t n = old; n < old_end; ++n) by_outer[p.inner[n] - block.outer_begin] = 0;
 }
 
-/// Chooses the pairs of the inner list and unpacks them for the pair loop; springs are carried over.
-void refresh_inner_list(State& state, DemWorkspace& work) {
+/// The dashpots of the inner list's pairs, made again at each refresh: to keep those of all outer pairs takes more
+/// memory and, since what the caches hold decides, more time.
+void note_damping(const DemConstants& k, const State& state, DemWorkspace& work) {
+    const Disc* disc = state.discs.disc.data();
+    reserve_closely(work.damping_Ns_m, work.i.size());
+    work.damping_Ns_m.resize(work.i.size());
+    for (std::size_t n = 0; n < work.i.size(); ++n) {
+        const double reduced = 1.0 / (disc[work.i[n]].inverse_mass_1_kg + disc[work.j[n]].inverse_mass_1_kg);
+        work.damping_Ns_m[n] = dashpot_Ns_m(k.damping_ratio, k.soil.normal_stiffness_N_m, reduced);
+    }
+}
+
+/// Chooses the pairs of the inner list and unpacks them for the pair loop; springs are carried over, into the memory of
+/// the dashpots, which are made anew in that of the old springs.
+void refresh_inner_list(const DemConstants& k, State& state, DemWorkspace& work) {
     auto& p = state.pairs;
     note_inner_references(state);
     const bool rolling_springs = !work.rolling_Nm.empty();
@@ -259,46 +276,39 @@ void refresh_inner_list(State& state, DemWorkspace& work) {
         block.pair_end = static_cast<std::uint32_t>(kept);
         const std::size_t old_begin = old_end;
         while (old_end < p.inner.size() && p.inner[old_end] < block.outer_end) ++old_end;
-        carry_springs(block, old_begin, old_end, p, p.tangential_m, work, work.next_spring_m);
+        carry_springs(block, old_begin, old_end, p, p.tangential_m, work, work.damping_Ns_m);
         if (rolling_springs) carry_springs(block, old_begin, old_end, p, work.rolling_Nm, work, work.next_rolling_Nm);
     }
     for (auto* list : {&work.i, &work.j, &work.next_inner}) list->resize(kept);
-    for (auto* list : {&work.damping_Ns_m, &work.next_spring_m}) list->resize(kept);
+    work.damping_Ns_m.resize(kept);
     p.inner.swap(work.next_inner);
-    p.tangential_m.swap(work.next_spring_m);
+    p.tangential_m.swap(work.damping_Ns_m);
+    note_damping(k, state, work);
     if (rolling_springs) work.next_rolling_Nm.resize(kept), work.rolling_Nm.swap(work.next_rolling_Nm);
     ++work.refreshes;
 }
 
 /// The inner list as it stands.
-void unpack_pairs(const State& state, DemWorkspace& work) {
+void unpack_pairs(const DemConstants& k, const State& state, DemWorkspace& work) {
     const auto& p = state.pairs;
     for (auto* list : {&work.i, &work.j}) list->clear(), list->reserve(p.inner.size());
-    work.damping_Ns_m.clear(), work.damping_Ns_m.reserve(p.inner.size());
     std::size_t n = 0;
     for (Block& block : work.block) {
         block.pair_begin = static_cast<std::uint32_t>(n);
         for (; n < p.inner.size() && p.inner[n] < block.outer_end; ++n) {
             const std::uint32_t outer = p.inner[n];
             work.i.push_back(p.i[outer]), work.j.push_back(p.j[outer]);
-            work.damping_Ns_m.push_back(work.outer_damping_Ns_m[outer]);
         }
         block.pair_end = static_cast<std::uint32_t>(n);
     }
+    note_damping(k, state, work);
 }
 
 /// What depends on masses and radii alone: renewed when the outer list is.
 void note_constants(const DemConstants& k, const State& state, DemWorkspace& work) {
-    const auto& disc = state.discs.disc;
-    const auto& p = state.pairs;
-    work.spin_per_moment.clear();
-    for (const Disc& d : disc)
+    work.spin_per_moment.clear(), work.spin_per_moment.reserve(state.discs.disc.size());
+    for (const Disc& d : state.discs.disc)
         work.spin_per_moment.push_back(2.0 * (k.step_s * d.inverse_mass_1_kg) / (d.radius_m * d.radius_m));
-    work.outer_damping_Ns_m.resize(p.i.size());
-    for (std::size_t n = 0; n < p.i.size(); ++n) {
-        const double reduced = 1.0 / (disc[p.i[n]].inverse_mass_1_kg + disc[p.j[n]].inverse_mass_1_kg);
-        work.outer_damping_Ns_m[n] = dashpot_Ns_m(k.damping_ratio, k.soil.normal_stiffness_N_m, reduced);
-    }
 }
 
 /// Everything that stays as it is until the next rebuild.
@@ -316,7 +326,12 @@ void update_lists(const DemConstants& k, State& state, DemWorkspace& work) {
         rebuild_outer_list(k, state, work);
         lay_out(k, state, work);
     }
-    refresh_inner_list(state, work);
+    refresh_inner_list(k, state, work);
+    if (work.rebuild_outer) {
+        work.next_inner.clear();
+        trim(work.next_inner), trim(state.pairs.inner);
+        trim(work.damping_Ns_m), trim(state.pairs.tangential_m);
+    }
     refresh_wall_contacts(k, state, work);
     work.rebuild_outer = work.refresh_inner = false;
 }
@@ -327,7 +342,7 @@ void attach_workspace(const DemConstants& k, State& state, DemWorkspace& work) {
     work.rebuild_outer = work.refresh_inner = state.pairs.reference.empty();
     if (work.rebuild_outer) return;
     lay_out(k, state, work);
-    unpack_pairs(state, work);
+    unpack_pairs(k, state, work);
     unpack_walls(state, work);
     if (k.rolling_springs) work.rolling_Nm.assign(work.i.size(), 0.0);
     const auto left = [&](std::size_t p) { return has_left(state.discs.disc[p], state.pairs.inner_reference[p]); };
