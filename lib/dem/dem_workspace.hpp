@@ -25,6 +25,8 @@ struct Block {
     std::uint32_t merge_begin = 0, merge_end = 0;  ///< into Merge: what earlier blocks hold for this one
     std::uint32_t first_source = 0;                ///< the first block whose pairs reach into this one, or itself
     bool moved = false;                            ///< a disc has left its inner skin in this step
+    std::uint32_t calm_steps = 0;                  ///< so many steps none can leave it,
+    double calm_m_s = 0;                           ///< unless one is faster than this
 
     /// Force slot of the disc at a list position, as far as the block's slots go.
     [[nodiscard]] std::uint32_t slot(std::uint32_t position) const { return position - disc_begin + force_begin; }

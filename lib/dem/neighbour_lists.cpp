@@ -274,6 +274,7 @@ void refresh_inner_list(const DemConstants& k, State& state, DemWorkspace& work)
         block.pair_begin = static_cast<std::uint32_t>(kept);
         kept = choose_inner_pairs(block, state, work, kept);
         block.pair_end = static_cast<std::uint32_t>(kept);
+        block.calm_steps = 0;
         const std::size_t old_begin = old_end;
         while (old_end < p.inner.size() && p.inner[old_end] < block.outer_end) ++old_end;
         carry_springs(block, old_begin, old_end, p, p.tangential_m, work, work.damping_Ns_m);

@@ -12,11 +12,21 @@ struct MotionBatch {
     const double* spin_per_moment = nullptr;
     std::uint32_t count = 0;
     double step_s = 0, fall_x_m_s = 0, fall_y_m_s = 0;
+    double calm_m_s = 0;
     bool rolling_springs = false;
 };
 
 /// Moves four discs at a time, with the bits of integrate_symplectic()'s loop under RollingScheme::limit: the first
-/// count / 4 × 4. Returns whether one of them has left its inner skin. Needs AVX2.
+/// count / 4 × 4. Returns whether all are calm, that is, no faster than `calm_m_s`. Needs AVX2.
 bool move_fours(const MotionBatch& batch);
+
+struct Watch {
+    bool left = false;   ///< one has left its inner skin
+    double spare_m = 0;  ///< else the least that one may still go, beside rounding
+    double fastest_m_s = 0;
+};
+
+/// The same discs where they stand. Needs AVX2.
+Watch watch_fours(const MotionBatch& batch);
 
 }  // namespace ifedem

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "dem/skins.hpp"
 #include "support/dem_scenes.hpp"
 #include "support/reference_dem.hpp"
 
@@ -211,6 +212,29 @@ TEST(Lists, bear_discs_that_are_no_longer_anywhere) {
         w.work = make_workspace(w.scene, w.state);
         update_lists(w.scene.dem, w.state, w.work.dem);
     }
+}
+
+// Not every step looks at every disc; a disc that leaves its skin is seen in that step all the same.
+TEST(Lists, are_asked_for_in_the_step_in_which_a_disc_leaves_its_skin) {
+    World w = make_bed({2600, 0.6, 0.2, 41, Walls::flat}, 9.81);
+    const auto& disc = w.state.discs.disc;
+    int due = 0, unlooked = 0;
+    for (int n = 0; n < 800; ++n) {
+        Disc& struck = w.state.discs.disc[static_cast<std::size_t>(n) * 7 % disc.size()];
+        if (n % 50 == 49) struck.vx_m_s = 0.1 * n;
+        if (n == 799) struck.vy_m_s = std::numeric_limits<double>::quiet_NaN();
+        advance(w, 1);
+        bool left = false;
+        for (std::size_t p = 0; p < disc.size(); ++p) left |= has_left(disc[p], w.state.pairs.inner_reference[p]);
+        ASSERT_EQ(w.work.dem.refresh_inner, left) << "step " << n;
+        due += left ? 1 : 0;
+        for (const Block& b : w.work.dem.block) unlooked += b.calm_steps > 0 ? 1 : 0;
+    }
+    std::printf("lists due after %d of 800 steps; a block's next look could wait %d times\n", due, unlooked);
+    EXPECT_TRUE(w.work.dem.refresh_inner) << "a disc that is nowhere";
+    EXPECT_GT(due, 20);
+    EXPECT_LT(due, 400);
+    EXPECT_TRUE(w.work.dem.vector_width < 4 || unlooked > 400);
 }
 
 // A workspace made anew from a state in mid-flight finds the same forces: nothing that matters lives outside the state.
