@@ -3,10 +3,11 @@
 #   make -f reproductions/chapter4/chapter.mk reproduce
 CHAPTER := reproductions/chapter4
 SWEEP   := $(CHAPTER)/chapter.mk
-OUT     := build/runs/chapter4
-REPORT  := build/reports/chapter4
-CASE    := $(CHAPTER)/cases/tyre.toml
-COMMAND ?= make reproduce-chapter4
+# SCENE=fitted: the same travels in the scene that `ifedem fit` left (cases/fitted.toml)
+OUT     := build/runs/chapter4$(addprefix -,$(SCENE))
+REPORT  := build/reports/chapter4$(addprefix -,$(SCENE))
+CASE    := $(CHAPTER)/cases/$(or $(SCENE),tyre).toml
+COMMAND ?= make reproduce-chapter4$(addprefix $() SCENE=,$(SCENE))
 
 # WHAT-tyre-sSLIP-rREALISATION; WHAT is `text`, or a variant; m5 is −5 %. A realisation is a packing seed and a phase of the tyre's columns.
 SLIPS := 22 7.5 37.5 55 1 m5
@@ -60,7 +61,7 @@ else
 RUNS := $(MAIN)
 endif
 
-.PHONY: reproduce runs report quick sensitivity step text-step
+.PHONY: reproduce runs report quick sensitivity step text-step beside-fitted
 reproduce:
 	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
 	@$(MAKE) --no-print-directory -f $(SWEEP) report
@@ -96,10 +97,20 @@ endif
 
 travels: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))
 
-DOUBT := $(CASE) --set travel.slip_percent=22 --n 2
+# Without the discs: at half their radii a travel costs eight times as much (speed_accuracy/ has larger ones).
+DOUBT := $(CASE) --set travel.slip_percent=22 --only depth,length,mesh,step
 
 # What the sensitivity runs and `doubt` found, if they were made.
 FOUND = $(patsubst %/measurements.csv,%,$(wildcard $(OUT)/sensitivity/measurements.csv $(OUT)/gains/measurements.csv)) $(doubted)
+
+# Forces and sinkage of both scenes, travel by travel, and angles of contact, mean by mean.
+beside-fitted:
+	@awk -f reproductions/chapter3/beside_whole.awk $(REPORT)/runs.csv build/reports/chapter4-fitted/runs.csv > $(REPORT)/beside_fitted.csv
+	@cp build/reports/chapter4-fitted/runs.csv $(REPORT)/fitted_runs.csv
+	@awk -F, 'BEGIN { print "name,n,whole,scatter,fitted,scatter" } !/_(deg|kPa)_s/ { next } \
+	  NR == FNR { whole[$$1] = $$5 "," $$2 "," $$4; next } { print $$1 "," whole[$$1] "," $$2 "," $$4 }' \
+	  $(OUT)/stress/measurements.csv $(OUT)-fitted/stress/measurements.csv > $(REPORT)/beside_fitted_stress.csv
+	@cat $(REPORT)/beside_fitted.csv $(REPORT)/beside_fitted_stress.csv
 
 report: $(INPUTS)
 	@$(IFEDEM) soil $(addprefix $(OUT)/,$(PLATES)) -o $(OUT)/soil
