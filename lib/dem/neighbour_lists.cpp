@@ -39,43 +39,37 @@ void permute(std::vector<T>& items, const std::vector<std::uint32_t>& order) {
     items.swap(moved);
 }
 
-/// A pair's springs, filed under its lower id.
+/// A pair's springs, filed under the lower of its positions before the rebuild.
 struct KeptSpring {
-    std::uint32_t other_id = 0;
+    std::uint32_t higher = 0;
     double tangential_m = 0, rolling_Nm = 0;
 };
 
-/// Springs by lower disc id; few a disc, so a linear search finds them.
+/// Few a disc, so a linear search finds them. By ids, which are in no order in space, each search would be a cache miss.
 struct KeptSprings {
     std::vector<std::uint32_t> begin;
     std::vector<KeptSpring> spring;
 
-    [[nodiscard]] KeptSpring find(std::uint32_t id_a, std::uint32_t id_b) const {
-        const std::uint32_t low = std::min(id_a, id_b), high = std::max(id_a, id_b);
+    [[nodiscard]] KeptSpring find(std::uint32_t a, std::uint32_t b) const {
+        const std::uint32_t low = std::min(a, b), high = std::max(a, b);
         for (std::uint32_t s = begin[low]; s < begin[low + 1]; ++s)
-            if (spring[s].other_id == high) return spring[s];
+            if (spring[s].higher == high) return spring[s];
         return {};
     }
 };
 
 KeptSprings keep_springs(const State& state, const DemWorkspace& work) {
     const auto& p = state.pairs;
-    const auto& id = state.discs.id;
     KeptSprings kept;
-    kept.begin.assign(id.size() + 1, 0);
-    const auto each_loaded = [&](auto&& visit) {
-        for (std::size_t n = 0; n < p.inner.size(); ++n) {
-            const double rolling = work.rolling_Nm.empty() ? 0.0 : work.rolling_Nm[n];
-            if (p.tangential_m[n] == 0.0 && rolling == 0.0) continue;
-            const std::uint32_t a = id[p.i[p.inner[n]]], b = id[p.j[p.inner[n]]];
-            visit(std::min(a, b), KeptSpring{std::max(a, b), p.tangential_m[n], rolling});
-        }
-    };
-    each_loaded([&](std::uint32_t low, const KeptSpring&) { ++kept.begin[low + 1]; });
+    kept.begin.assign(state.discs.disc.size() + 1, 0);
+    kept.spring.reserve(p.inner.size());
+    for (std::size_t n = 0; n < p.inner.size(); ++n) {  // sorted by i, the lower one
+        const double rolling = work.rolling_Nm.empty() ? 0.0 : work.rolling_Nm[n];
+        if (p.tangential_m[n] == 0.0 && rolling == 0.0) continue;
+        ++kept.begin[p.i[p.inner[n]] + 1];
+        kept.spring.push_back({p.j[p.inner[n]], p.tangential_m[n], rolling});
+    }
     for (std::size_t k = 1; k < kept.begin.size(); ++k) kept.begin[k] += kept.begin[k - 1];
-    kept.spring.resize(kept.begin.back());
-    std::vector<std::uint32_t> next(kept.begin.begin(), kept.begin.end() - 1);
-    each_loaded([&](std::uint32_t low, const KeptSpring& spring) { kept.spring[next[low]++] = spring; });
     return kept;
 }
 
@@ -214,7 +208,7 @@ void rebuild_outer_list(const DemConstants& k, State& state, DemWorkspace& work)
     p.tangential_m.resize(p.i.size());
     if (k.rolling_springs) work.rolling_Nm.resize(p.i.size());
     for (std::size_t n = 0; n < p.i.size(); ++n) {
-        const KeptSpring spring = kept.find(discs.id[p.i[n]], discs.id[p.j[n]]);
+        const KeptSpring spring = kept.find(grid.item[p.i[n]], grid.item[p.j[n]]);
         p.tangential_m[n] = spring.tangential_m;
         if (k.rolling_springs) work.rolling_Nm[n] = spring.rolling_Nm;
     }
