@@ -45,7 +45,7 @@ struct KeptSpring {
     double tangential_m = 0, rolling_Nm = 0;
 };
 
-/// Few a disc, so a linear search finds them. By ids, which are in no order in space, each search would be a cache miss.
+/// Few a disc, so a linear search finds them. Ids are in no order in space: by them each search would be a cache miss.
 struct KeptSprings {
     std::vector<std::uint32_t> begin;
     std::vector<KeptSpring> spring;

@@ -41,10 +41,12 @@ struct PairSides {
 template <class V>
 struct PairMotion {
     V nx, ny;  ///< unit normal from i to j
-    V overlap, chord;
-    V lever;      ///< distance / (r_i + r_j): the contact point divides the distance as the radii do
-    V ux, uy;     ///< velocity of i relative to j
-    V rim_speed;  ///< ω_i r_i + ω_j r_j
+    V overlap;
+    V minus_inverse;  ///< −1 / distance
+    V crossing;       ///< (chord × distance)², ≥ 0
+    V minus_lever;    ///< −distance / (r_i + r_j): the contact point divides the distance as the radii do
+    V ux, uy;         ///< velocity of i relative to j
+    V rim_speed;      ///< ω_i r_i + ω_j r_j
     // For rolling springs only.
     V omega, reduced_radius;  ///< ω_i − ω_j
 };
@@ -65,22 +67,21 @@ struct PairForces {
     PairMemory<V> memory;
 };
 
+/// The order of the statements is no matter of meaning: the compiler schedules the loop by it. See README.md, "Cost".
 template <PairRolling R, class V>
 IFEDEM_INLINE PairMotion<V> pair_motion(const PairSides<V>& p) {
     const V distance2 = p.x * p.x + p.y * p.y;
     const V distance = root(distance2);
-    const V radii = p.radius_i + p.radius_j;
-    const V overlap = radii - distance;
-    const V both = -1.0 / (distance * radii);  // one division for two quotients, negative since sides are i − j
-    const V inverse = both * radii;
-    const V chord2 = max_of(chord_product(distance, distance2, overlap, p.radius_i, p.radius_j), V(0.0));
     PairMotion<V> m;
-    m.nx = p.x * inverse, m.ny = p.y * inverse;
-    m.overlap = overlap;
-    m.chord = -inverse * root(chord2);
-    m.lever = -distance2 * both;
-    m.ux = p.vx, m.uy = p.vy;
     m.rim_speed = p.omega_i * p.radius_i + p.omega_j * p.radius_j;
+    m.ux = p.vx, m.uy = p.vy;
+    const V radii = p.radius_i + p.radius_j;
+    const V both = -1.0 / (distance * radii);  // one division for two quotients, negative since sides are i − j
+    m.minus_inverse = both * radii;
+    m.overlap = radii - distance;
+    m.minus_lever = distance2 * both;
+    m.nx = p.x * m.minus_inverse, m.ny = p.y * m.minus_inverse;
+    m.crossing = max_of(chord_product(distance, distance2, m.overlap, p.radius_i, p.radius_j), V(0.0));
     if constexpr (R == PairRolling::spring) {
         m.omega = p.omega_i - p.omega_j;
         m.reduced_radius = (p.radius_i * p.radius_j) * (-both * distance);
@@ -90,21 +91,23 @@ IFEDEM_INLINE PairMotion<V> pair_motion(const PairSides<V>& p) {
 
 /// Eq 2.17 between discs i and j.
 template <PairRolling R, class V>
-IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairMotion<V>& p, V damping,
+IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& soil, const PairMotion<V>& p, V damping,
                                         const PairMemory<V>& old, V step_s) {
+    ContactConstants k = soil;
+    k.rolling_chords = -k.rolling_chords;  // for minus_chord
+    const V minus_chord = p.minus_inverse * root(p.crossing);
     const V approach = p.ux * p.nx + p.uy * p.ny;
-    const V sliding = (p.uy * p.nx - p.ux * p.ny) + p.lever * p.rim_speed;
-    const auto f = contact_forces(k, p.overlap, approach, sliding, damping, old.spring, step_s, p.chord);
-    const V backward = V(0.0) - f.tangential_N, turning = backward * p.lever;
+    const V sliding = (p.uy * p.nx - p.ux * p.ny) - p.minus_lever * p.rim_speed;
+    const auto f = contact_forces(k, p.overlap, approach, sliding, damping, old.spring, step_s, minus_chord);
     PairForces<V> out{f.normal_N * p.nx - f.tangential_N * p.ny,
                       f.normal_N * p.ny + f.tangential_N * p.nx,
-                      turning,
+                      f.tangential_N * p.minus_lever,
                       f.rolling_limit_Nm,
                       {f.tangential_spring_m, V(0.0)}};
     if constexpr (R == PairRolling::spring) {
         const V cap = (k.rolling_cap * p.reduced_radius) * max_of(f.normal_N, V(0.0));
-        const V stiffness = k.tangential_stiffness_N_m * (p.reduced_radius * p.reduced_radius);
-        out.rolling = max_of(-cap, min_of(cap, old.rolling + stiffness * (p.omega * step_s)));
+        const V growth_Nms = (k.tangential_stiffness_N_m * step_s) * (p.reduced_radius * p.reduced_radius);
+        out.rolling = max_of(-cap, min_of(cap, old.rolling + growth_Nms * p.omega));
         out.memory.rolling = out.rolling;
     }
     return out;
