@@ -89,12 +89,16 @@ IFEDEM_INLINE PairMotion<V> pair_motion(const PairSides<V>& p) {
     return m;
 }
 
+/// The constants as pair_forces() wants them, for chords that are negative.
+IFEDEM_INLINE ContactConstants turn_chords(ContactConstants k) {
+    k.rolling_chords = -k.rolling_chords;
+    return k;
+}
+
 /// Eq 2.17 between discs i and j.
 template <PairRolling R, class V>
-IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& soil, const PairMotion<V>& p, V damping,
+IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairMotion<V>& p, V damping,
                                         const PairMemory<V>& old, V step_s) {
-    ContactConstants k = soil;
-    k.rolling_chords = -k.rolling_chords;  // for minus_chord
     const V minus_chord = p.minus_inverse * root(p.crossing);
     const V approach = p.ux * p.nx + p.uy * p.ny;
     const V sliding = (p.uy * p.nx - p.ux * p.ny) - p.minus_lever * p.rim_speed;
@@ -276,7 +280,7 @@ IFEDEM_INLINE PairForces<Pack<W>> compute(const ContactConstants& k, const PairB
 /// them. Constants are copied so that no store can be thought to change them.
 template <PairRolling R, int W>
 IFEDEM_INLINE void add_pairs_as(const ContactConstants& constants, const PairBatch& batch) {
-    const ContactConstants k = constants;
+    const ContactConstants k = turn_chords(constants);
     const PairBatch b = batch;
     std::uint32_t n = b.begin;
     if (n + 2 * W <= b.end) {

@@ -14,9 +14,9 @@ namespace {
 void add_pairs_scalar(const ContactConstants& k, const PairBatch& batch) {
     for (std::uint32_t n = batch.begin; n < batch.end; ++n)
         if (batch.rolling_Nm == nullptr)
-            add_one_pair<PairRolling::chord>(k, batch, n);
+            add_one_pair<PairRolling::chord>(turn_chords(k), batch, n);
         else
-            add_one_pair<PairRolling::spring>(k, batch, n);
+            add_one_pair<PairRolling::spring>(turn_chords(k), batch, n);
 }
 
 bool has_width(int width) {
