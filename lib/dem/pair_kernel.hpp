@@ -67,7 +67,8 @@ struct PairForces {
     PairMemory<V> memory;
 };
 
-/// The order of the statements is no matter of meaning: the compiler schedules the loop by it. See README.md, "Cost".
+/// The order of the statements means nothing but time: the compiler schedules the loop by it, and a harmless change may
+/// cost half as much again (README.md, "Cost"). `make bench` before and after any.
 template <PairRolling R, class V>
 IFEDEM_INLINE PairMotion<V> pair_motion(const PairSides<V>& p) {
     const V distance2 = p.x * p.x + p.y * p.y;
