@@ -49,15 +49,15 @@ bool move_fours(const MotionBatch& batch) {
     return batch.rolling_springs ? move_all<true>(batch) : move_all<false>(batch);
 }
 
-Watch watch_fours(const MotionBatch& m) {
+Watch watch_fours(const MotionBatch& batch) {
     const Four zero{};
     auto stays = zero == zero;  // NOLINT(misc-redundant-expression): true in each lane
     Four spare = zero + 1e300, fastest = zero;
-    for (std::uint32_t p = 0; p + 4 <= m.count; p += 4) {
-        const Disc* d = m.disc + p;
+    for (std::uint32_t p = 0; p + 4 <= batch.count; p += 4) {
+        const Disc* d = batch.disc + p;
         const auto [x, y, vx, vy] = transpose({load(&d[0].x_m), load(&d[1].x_m), load(&d[2].x_m), load(&d[3].x_m)});
         // x0 y0 s0 x1 | y1 s1 x2 y2 | s2 x3 y3 s3
-        const double* from = &m.from[p].x_m;
+        const double* from = &batch.from[p].x_m;
         const Four u = load(from), v = load(from + 4), w = load(from + 8);
         const Four from_x = __builtin_shufflevector(__builtin_shufflevector(u, v, 0, 3, 6, 6), w, 0, 1, 2, 5);
         const Four from_y = __builtin_shufflevector(__builtin_shufflevector(u, v, 1, 4, 7, 7), w, 0, 1, 2, 6);
