@@ -12,11 +12,12 @@ namespace {
 
 /// The scalar fallback, and what the vector kernels must equal.
 void add_pairs_scalar(const ContactConstants& k, const PairBatch& batch) {
+    const ContactConstants turned = turn_chords(k);
     for (std::uint32_t n = batch.begin; n < batch.end; ++n)
         if (batch.rolling_Nm == nullptr)
-            add_one_pair<PairRolling::chord>(turn_chords(k), batch, n);
+            add_one_pair<PairRolling::chord>(turned, batch, n);
         else
-            add_one_pair<PairRolling::spring>(turn_chords(k), batch, n);
+            add_one_pair<PairRolling::spring>(turned, batch, n);
 }
 
 bool has_width(int width) {

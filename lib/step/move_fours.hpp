@@ -12,7 +12,7 @@ struct MotionBatch {
     const double* spin_per_moment = nullptr;
     std::uint32_t count = 0;
     double step_s = 0, fall_x_m_s = 0, fall_y_m_s = 0;
-    double calm_m_s = 0;
+    double calm_m_s = 0;  ///< see move_fours()
     bool rolling_springs = false;
 };
 
