@@ -15,26 +15,25 @@ struct alignas(32) DiscForce {
     double rolling_Nm = 0;  ///< Σ of Eq 2.18's limits, ≥ 0; of DemConstants::rolling_springs: their moment
 };
 
-/// A range of discs with the pairs that they own (as the lower list position) and the force slots they write to.
+/// A range of discs with the pairs that they own (as the lower list position) and where their forces go.
 struct Block {
     std::uint32_t disc_begin = 0, disc_end = 0;
     std::uint32_t outer_begin = 0, outer_end = 0;  ///< into the outer list
     std::uint32_t pair_begin = 0, pair_end = 0;    ///< into the inner list
     std::uint32_t wall_begin = 0, wall_end = 0;    ///< into the discs near walls
-    std::uint32_t force_begin = 0, force_end = 0;  ///< slots of its discs, and on to the last that its pairs reach
+    std::uint32_t halo_begin = 0, halo_end = 0;  ///< into the halos: discs behind its own, to the last that it reaches
     std::uint32_t merge_begin = 0, merge_end = 0;  ///< into Merge: what earlier blocks hold for this one
     std::uint32_t first_source = 0;                ///< the first block whose pairs reach into this one, or itself
     bool moved = false;                            ///< a disc has left its inner skin in this step
     std::uint32_t calm_steps = 0;                  ///< so many steps none can leave it,
     double calm_m_s = 0;                           ///< unless one is faster than this
 
-    /// Force slot of the disc at a list position, as far as the block's slots go.
-    [[nodiscard]] std::uint32_t slot(std::uint32_t position) const { return position - disc_begin + force_begin; }
+    [[nodiscard]] std::uint32_t size() const { return disc_end - disc_begin; }
 };
 
-/// "Add force slot `slot` to that of this block's disc `target`."
+/// "Add the force in the halos at `halo` to that of the disc at the list position `target`."
 struct Merge {
-    std::uint32_t slot = 0, target = 0;
+    std::uint32_t halo = 0, target = 0;
 };
 
 /// What the wheel does to a disc.
@@ -59,7 +58,11 @@ struct DemWorkspace {
     std::vector<double> damping_Ns_m;
     std::vector<double> rolling_Nm;  ///< of DemConstants::rolling_springs, else empty
     std::vector<Merge> merge;
-    std::vector<DiscForce> force;         ///< all blocks' slots
+    std::vector<DiscForce> halo;                       ///< what each block's pairs do to discs of later blocks
+    std::uint32_t slots = 0;                           ///< that a thread needs,
+    std::vector<std::vector<DiscForce>> thread_force;  ///< for the blocks that it works at: 0 between steps
+    bool keep_forces = false;
+    std::vector<DiscForce> kept_force;    ///< if they are kept: the last sums, by list position
     std::vector<double> spin_per_moment;  ///< per disc: Δt/I, I = m r²/2
     std::vector<std::uint32_t> position_of_id;
     std::vector<WallCandidate> wall;      ///< as State::wall_contacts, with positions

@@ -15,7 +15,9 @@ void add_force(DiscForce& to, const DiscForce& f) {
     to.turning_N += f.turning_N, to.rolling_Nm += f.rolling_Nm;
 }
 
-void add_walls(const DemConstants& k, const Block& block, State& state, DemWorkspace& work, double spring_step_s) {
+/// A block's slots begin with those of its own discs; behind them stand those of its halo.
+void add_walls(const DemConstants& k, const Block& block, State& state, const DemWorkspace& work, double spring_step_s,
+               DiscForce* slots) {
     for (std::uint32_t n = block.wall_begin; n < block.wall_end; ++n) {
         const Disc& d = state.discs.disc[work.wall[n].position];
         double& spring = state.wall_contacts[n].tangential_m;
@@ -23,44 +25,63 @@ void add_walls(const DemConstants& k, const Block& block, State& state, DemWorks
         const BoundaryForce f = boundary_force(k.wall, k.damping_ratio, d, side.normal, side.distance_m,
                                                side.opposite_radius_m, side.velocity_m_s, spring, spring_step_s);
         spring = f.tangential_spring_m;
-        add_force(work.force[block.slot(work.wall[n].position)], f.on_disc());
+        add_force(slots[work.wall[n].position - block.disc_begin], f.on_disc());
     }
 }
 
-/// One block's forces in list order, to the block's own slots.
-void add_block_forces(const DemConstants& k, const Block& block, State& state, DemWorkspace& work,
-                      double spring_step_s) {
-    std::fill(work.force.begin() + block.force_begin, work.force.begin() + block.force_end, DiscForce{});
-    add_walls(k, block, state, work, spring_step_s);
+/// Where the slot of list position 0 would be: the kernel need not subtract. Nothing there is read or written, and a
+/// number may leave the array where a pointer must not.
+DiscForce* first_position(DiscForce* slots, const Block& block) {
+    const auto at = reinterpret_cast<std::uintptr_t>(slots) - block.disc_begin * sizeof(DiscForce);
+    return reinterpret_cast<DiscForce*>(at);  // NOLINT(performance-no-int-to-ptr)
+}
+
+/// One block's forces in list order. Its halo moves out, so that its slots can serve the next block while they are in
+/// the cache: all blocks' slots would be another 32 bytes a disc to fetch and to write back.
+void add_block_forces(const DemConstants& k, const Block& block, State& state, DemWorkspace& work, double spring_step_s,
+                      DiscForce* slots) {
+    add_walls(k, block, state, work, spring_step_s, slots);
     PairBatch batch;
     batch.disc = state.discs.disc.data();
     batch.i = work.i.data(), batch.j = work.j.data();
     batch.damping_Ns_m = work.damping_Ns_m.data();
     batch.spring_m = state.pairs.tangential_m.data();
     batch.rolling_Nm = k.rolling_springs ? work.rolling_Nm.data() : nullptr;
-    batch.force = work.force.data() + (block.force_begin - block.disc_begin);  // slots before: no fewer than discs
+    batch.force = first_position(slots, block);
     batch.begin = block.pair_begin, batch.end = block.pair_end;
     batch.spring_step_s = spring_step_s;
     work.pair_kernel(k.soil, batch);
+    DiscForce *const halo = slots + block.size(), *const end = halo + (block.halo_end - block.halo_begin);
+    std::copy(halo, end, work.halo.data() + block.halo_begin);
+    std::fill(halo, end, DiscForce{});
 }
 
 /// What other blocks and the wheel hold for this one.
-void merge_block(const Block& block, DemWorkspace& work) {
+void merge_block(const Block& block, const DemWorkspace& work, DiscForce* slots) {
     for (std::uint32_t n = block.merge_begin; n < block.merge_end; ++n)
-        add_force(work.force[work.merge[n].target], work.force[work.merge[n].slot]);
+        add_force(slots[work.merge[n].target - block.disc_begin], work.halo[work.merge[n].halo]);
     const auto before = [](const WheelForce& f, std::uint32_t position) { return f.position < position; };
     auto at = std::lower_bound(work.wheel_force.begin(), work.wheel_force.end(), block.disc_begin, before);
     for (; at != work.wheel_force.end() && at->position < block.disc_end; ++at)
-        add_force(work.force[block.slot(at->position)], at->on_disc);
+        add_force(slots[at->position - block.disc_begin], at->on_disc);
+}
+
+/// A thread's slots, 0 as every step leaves them.
+DiscForce* find_slots(DemWorkspace& work, int thread) {
+    auto& slots = work.thread_force[static_cast<std::size_t>(thread)];
+    if (slots.size() < work.slots) slots.assign(work.slots, DiscForce{});
+    return slots.data();
 }
 
 }  // namespace
 
 void add_forces(const DemConstants& k, State& state, DemWorkspace& work, double spring_step_s,
                 const BlockVisitor& finished, const Alongside& alongside) {
-    const auto finish = [&](Block& block) {
-        merge_block(block, work);
-        finished(block);
+    if (work.keep_forces) work.kept_force.resize(state.discs.disc.size());
+    const auto finish = [&](Block& block, DiscForce* slots) {
+        merge_block(block, work, slots);
+        if (work.keep_forces) std::copy_n(slots, block.size(), work.kept_force.data() + block.disc_begin);
+        finished(block, {slots, block.size()});
     };
     const std::size_t count = work.block.size();
     const auto first_block_of = [&](int thread, int threads) -> std::size_t {
@@ -68,20 +89,28 @@ void add_forces(const DemConstants& k, State& state, DemWorkspace& work, double 
         const double all = static_cast<double>(count) + alongside.blocks;
         return static_cast<std::size_t>(max_of(0.0, all * thread / threads - alongside.blocks));
     };
+    work.thread_force.resize(std::max(work.thread_force.size(), static_cast<std::size_t>(omp_get_max_threads())));
 #pragma omp parallel
     {
         const int threads = omp_get_num_threads(), thread = omp_get_thread_num();
         const std::size_t begin = first_block_of(thread, threads), end = first_block_of(thread + 1, threads);
         if (thread == 0 && alongside.work) alongside.work();
+        DiscForce* const slots = find_slots(work, thread);
         // A block waits for the blocks that reach into it: those of this thread are done when its own turn comes,
-        // those of other threads after the barrier.
+        // those of other threads after the barrier. The slots of one that waits stay, and the next one's are behind.
+        std::size_t waiting = 0;
         for (std::size_t b = begin; b < end; ++b) {
-            add_block_forces(k, work.block[b], state, work, spring_step_s);
-            if (work.block[b].first_source >= begin) finish(work.block[b]);
+            Block& block = work.block[b];
+            add_block_forces(k, block, state, work, spring_step_s, slots + waiting * discs_per_block);
+            if (block.first_source < begin)
+                ++waiting;
+            else
+                finish(block, slots + waiting * discs_per_block);
         }
 #pragma omp barrier
+        waiting = 0;
         for (std::size_t b = begin; b < end; ++b)
-            if (work.block[b].first_source < begin) finish(work.block[b]);
+            if (work.block[b].first_source < begin) finish(work.block[b], slots + waiting++ * discs_per_block);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <span>
 
 #include "dem/dem_constants.hpp"
 #include "dem/dem_workspace.hpp"
@@ -7,8 +8,8 @@
 
 namespace ifedem {
 
-/// What to do with a block whose forces are complete.
-using BlockVisitor = std::function<void(Block&)>;
+/// What to do with a block and the complete forces on its discs. It takes them: zeros are to be left.
+using BlockVisitor = std::function<void(Block&, std::span<DiscForce>)>;
 
 /// Work that neither reads what add_forces() writes nor writes what it reads.
 struct Alongside {

@@ -93,7 +93,7 @@ void add_rolling_losses(const Scene& scene, const std::vector<Disc>& before, con
     for (std::size_t p = 0; p < before.size(); ++p) {
         const Disc& d = before[p];
         const double inertia = 0.5 * squared(d.radius_m) / d.inverse_mass_1_kg;
-        const double free = d.omega_rad_s + dt / inertia * (d.radius_m * force_on(work, p).turning_N);
+        const double free = d.omega_rad_s + dt / inertia * (d.radius_m * work.kept_force[p].turning_N);
         const double omega = after.discs.disc[p].omega_rad_s;
         flow.lost_rolling_W += (free - omega) * inertia / dt * 0.5 * (d.omega_rad_s + omega);
     }
@@ -213,7 +213,9 @@ EnergyFlow step_and_measure(const Scene& scene, State& state, Workspace& work) {
     const std::vector<double> pair_springs = state.pairs.tangential_m, wall_springs = springs_of(state.wall_contacts);
     const WheelState wheel = state.wheel;
     const SoilState soil = state.soil;
+    work.dem.keep_forces = true;
     step(scene, state, work);
+    work.dem.keep_forces = false;
     EnergyFlow flow;
     add_pair_losses(scene, discs, pair_springs, state, work.dem, flow);
     add_wall_losses(scene, discs, wall_springs, state, work.dem, flow);

@@ -1,6 +1,7 @@
 #include "step/integrate_discs.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "dem/skins.hpp"
 #include "step/move_fours.hpp"
@@ -34,16 +35,15 @@ void predict(Disc& d, const DiscAcceleration& a, double dt) {
     d.vx_m_s += dt * a.x_m_s2, d.vy_m_s += dt * a.y_m_s2, d.omega_rad_s += dt * a.angular_rad_s2;
 }
 
-/// Calls move(disc, its force, position) from the block's disc `first` on. The search for discs that have left their
-/// skin rides along; ask_for_lists() then says which list is due.
+/// Calls move(disc, its force, position) from the block's disc `first` on, and takes the forces. The search for discs
+/// that have left their skin rides along; ask_for_lists() then says which list is due.
 template <class F>
-void move_discs(State& state, const DemWorkspace& work, Block& block, F&& move, std::uint32_t first = 0) {
-    const DiscForce* force = work.force.data() + block.force_begin + first;  // a block's own slots come first
+void move_discs(State& state, Block& block, std::span<DiscForce> force, F&& move, std::uint32_t first = 0) {
     Disc* disc = state.discs.disc.data();
     const Reference* reference = state.pairs.inner_reference.data();
     bool moved = false;
-    for (std::uint32_t p = block.disc_begin + first; p < block.disc_end; ++p, ++force) {
-        move(disc[p], *force, p);
+    for (std::uint32_t p = block.disc_begin + first; p < block.disc_end; ++p) {
+        move(disc[p], std::exchange(force[p - block.disc_begin], DiscForce{}), p);
         moved |= has_left(disc[p], reference[p]);
     }
     block.moved = moved;
@@ -62,14 +62,15 @@ bool watch(const MotionBatch& batch, Block& block) {
 }
 
 /// By fours as far as they go.
-std::uint32_t move_most(const DemConstants& k, State& state, const DemWorkspace& work, Block& block, bool& moved) {
+std::uint32_t move_most(const DemConstants& k, State& state, const DemWorkspace& work, Block& block,
+                        std::span<DiscForce> force, bool& moved) {
     if (work.vector_width < 4 || (k.rolling != RollingScheme::limit && !k.rolling_springs)) return 0;
     MotionBatch batch;
     batch.disc = state.discs.disc.data() + block.disc_begin;
-    batch.force = work.force.data() + block.force_begin;
+    batch.force = force.data();
     batch.from = state.pairs.inner_reference.data() + block.disc_begin;
     batch.spin_per_moment = work.spin_per_moment.data() + block.disc_begin;
-    batch.count = block.disc_end - block.disc_begin;
+    batch.count = block.size();
     batch.step_s = k.step_s;
     batch.fall_x_m_s = k.step_s * k.gravity_m_s2.x, batch.fall_y_m_s = k.step_s * k.gravity_m_s2.y;
     batch.rolling_springs = k.rolling_springs;
@@ -81,11 +82,12 @@ std::uint32_t move_most(const DemConstants& k, State& state, const DemWorkspace&
     return batch.count - batch.count % 4;
 }
 
-void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work, Block& block) {
+void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspace& work, Block& block,
+                          std::span<DiscForce> force) {
     const double dt = k.step_s;
     const Vec2 fall = dt * k.gravity_m_s2;
     bool moved = false;
-    const std::uint32_t done = move_most(k, state, work, block, moved);
+    const std::uint32_t done = move_most(k, state, work, block, force, moved);
     const auto travel = [=](Disc& d, const DiscForce& f) {
         const double impulse = dt * d.inverse_mass_1_kg;
         d.vx_m_s += impulse * f.x_N + fall.x;
@@ -102,7 +104,7 @@ void integrate_symplectic(const DemConstants& k, State& state, const DemWorkspac
                                                           spin * f.rolling_Nm);
         travel(d, f);
     };
-    move_discs(state, work, block, turn, done);
+    move_discs(state, block, force, turn, done);
     block.moved |= moved;
 }
 
@@ -120,16 +122,17 @@ double apply_rolling(RollingScheme rolling, double omega_free_rad_s, double omeg
     return omega_free_rad_s < 0 ? -slower : slower;
 }
 
-void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block) {
+void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block,
+                     std::span<DiscForce> force) {
     const DemConstants& k = scene.dem;
     const double dt = k.step_s;
     DiscAcceleration* acceleration = state.discs.acceleration.data();
     switch (scene.c.integrator) {
         case Integrator::symplectic_euler:
-            integrate_symplectic(k, state, work, block);
+            integrate_symplectic(k, state, work, block, force);
             return;
         case Integrator::modified_euler_one:
-            move_discs(state, work, block, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
+            move_discs(state, block, force, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
                 const DiscAcceleration a = acceleration_of(k, d, f);
                 correct(d, acceleration[p], a, dt);
                 predict(d, a, dt);
@@ -137,7 +140,7 @@ void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work,
             });
             return;
         case Integrator::modified_euler_two:
-            move_discs(state, work, block, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
+            move_discs(state, block, force, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
                 acceleration[p] = acceleration_of(k, d, f);
                 predict(d, acceleration[p], dt);
             });
@@ -145,9 +148,9 @@ void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work,
     }
 }
 
-void correct_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block) {
+void correct_discs(const Scene& scene, State& state, Block& block, std::span<DiscForce> force) {
     const DiscAcceleration* acceleration = state.discs.acceleration.data();
-    move_discs(state, work, block, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
+    move_discs(state, block, force, [&](Disc& d, const DiscForce& f, std::uint32_t p) {
         correct(d, acceleration[p], acceleration_of(scene.dem, d, f), scene.dem.step_s);
     });
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "step/scene.hpp"
 
 namespace ifedem {
@@ -15,12 +17,13 @@ namespace ifedem {
 // what the forces need; the correction is x += ¼ (a* − a) Δt², v += ½ (a* − a) Δt. Two evaluations: a is evaluated anew
 // from the corrected values; the tangential springs advance in the second one only.
 
-/// The discs of a block after their forces: the whole step, or for two evaluations the prediction. Notes in the block
-/// whether a disc has left its inner skin.
-void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block);
+/// The discs of a block under their forces, of which it leaves zeros: the whole step, or for two evaluations the
+/// prediction. Notes in the block whether a disc has left its inner skin.
+void integrate_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block,
+                     std::span<DiscForce> force);
 
 /// Two evaluations: after the second forces, the correction.
-void correct_discs(const Scene& scene, State& state, const DemWorkspace& work, Block& block);
+void correct_discs(const Scene& scene, State& state, Block& block, std::span<DiscForce> force);
 
 /// Angular velocity after a step whose other moments alone would give `omega_free`, with rolling resistance (Eq 2.18):
 /// as a limit it can stop but never reverse the rotation.

@@ -16,12 +16,13 @@ IFEDEM_INLINE bool move_all(const MotionBatch& batch) {
     auto calm = zero == zero;  // NOLINT(misc-redundant-expression): true in each lane
     for (std::uint32_t p = 0; p + 4 <= m.count; p += 4) {
         Disc* d = m.disc + p;
-        const DiscForce* f = m.force + p;
+        DiscForce* f = m.force + p;
         auto [x, y, vx, vy] = transpose({load(&d[0].x_m), load(&d[1].x_m), load(&d[2].x_m), load(&d[3].x_m)});
         auto [omega, radius, inverse_mass, angle] = transpose(
             {load(&d[0].omega_rad_s), load(&d[1].omega_rad_s), load(&d[2].omega_rad_s), load(&d[3].omega_rad_s)});
         const auto [fx, turning, fy, rolling] =
             transpose({load(&f[0].x_N), load(&f[1].x_N), load(&f[2].x_N), load(&f[3].x_N)});
+        for (int n = 0; n < 4; ++n) store(&f[n].x_N, zero);
         const Four spin = load(m.spin_per_moment + p);
         if constexpr (springs) {
             omega = omega + spin * (radius * turning + rolling);

@@ -7,7 +7,7 @@ namespace ifedem {
 /// A block's discs as plain pointers: what is built for newer instructions uses no library code, see core/pack.hpp.
 struct MotionBatch {
     Disc* disc = nullptr;
-    const DiscForce* force = nullptr;
+    DiscForce* force = nullptr;       ///< taken: zeros are left
     const Reference* from = nullptr;  ///< where the inner skins begin
     const double* spin_per_moment = nullptr;
     std::uint32_t count = 0;

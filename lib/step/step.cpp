@@ -58,7 +58,8 @@ void step(const Scene& scene, State& state, Workspace& work) {
     }
     add_forces(
         scene.dem, state, work.dem, spring_step_s,
-        [&](Block& block) { integrate_discs(scene, state, work.dem, block); }, wheel);
+        [&](Block& block, std::span<DiscForce> force) { integrate_discs(scene, state, work.dem, block, force); },
+        wheel);
     lap(Phase::discs);
     if (twice) {
         if (scene.has_wheel()) add_wheel_contacts(scene.dem, scene.wheel, state, work.dem, work.wheel, dt);
@@ -68,7 +69,8 @@ void step(const Scene& scene, State& state, Workspace& work) {
             add_soil_contacts(scene.dem, scene.soil, state, work.dem, work.soil, dt);
             lap(Phase::soil_elements);
         }
-        add_forces(scene.dem, state, work.dem, dt, [&](Block& block) { correct_discs(scene, state, work.dem, block); });
+        add_forces(scene.dem, state, work.dem, dt,
+                   [&](Block& block, std::span<DiscForce> force) { correct_discs(scene, state, block, force); });
         lap(Phase::discs);
     }
     if (std::any_of(work.dem.block.begin(), work.dem.block.end(), [](const Block& b) { return b.moved; }))

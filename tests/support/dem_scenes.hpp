@@ -2,9 +2,11 @@
 #pragma once
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -94,6 +96,7 @@ inline World make_world(DemConstants k, const std::vector<Disc>& discs,
     w.scene.dem = std::move(k);
     w.state = make_state(discs, integrator);
     w.work = make_workspace(w.scene, w.state);
+    w.work.dem.keep_forces = true;
     return w;
 }
 
@@ -110,7 +113,13 @@ inline std::size_t position_of(const World& w, std::uint32_t id) {
 inline const Disc& disc_of(const World& w, std::uint32_t id) { return w.state.discs.disc[position_of(w, id)]; }
 
 /// The force on a disc at the last evaluation.
-inline const DiscForce& force_on(const World& w, std::size_t position) { return force_on(w.work.dem, position); }
+inline const DiscForce& force_on(const World& w, std::size_t position) { return w.work.dem.kept_force[position]; }
+
+/// Forces that move nothing.
+inline void evaluate_forces(World& w, double spring_step_s) {
+    add_forces(w.scene.dem, w.state, w.work.dem, spring_step_s,
+               [](const Block&, std::span<DiscForce> force) { std::ranges::fill(force, DiscForce{}); });
+}
 
 /// `count` discs of 2 to 3 mm, none overlapping by more than a tenth of a radius, in a box of about `fill` of their
 /// area.

@@ -35,6 +35,7 @@ World make_wheel_and_discs(const WheelCase& wheel, double friction, const std::v
     w.state = make_state(discs);
     w.state.wheel = place_wheel(w.scene.wheel, {0.5, 0.4});
     w.work = make_workspace(w.scene, w.state);
+    w.work.dem.keep_forces = true;
     update_lists(w.scene.dem, w.state, w.work.dem);
     return w;
 }
@@ -43,7 +44,7 @@ World make_wheel_and_discs(const WheelCase& wheel, double friction, const std::v
 void evaluate(World& w, double spring_step_s) {
     w.work.wheel.search = true;
     add_wheel_contacts(w.scene.dem, w.scene.wheel, w.state, w.work.dem, w.work.wheel, spring_step_s);
-    add_forces(w.scene.dem, w.state, w.work.dem, spring_step_s, [](Block&) {});
+    evaluate_forces(w, spring_step_s);
 }
 
 /// The boundary polygon as it stands.

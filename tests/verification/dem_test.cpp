@@ -1,10 +1,13 @@
 // Discs against closed forms: collisions, friction, rolling, statics, conservation, step limits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <vector>
 
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
@@ -250,7 +253,7 @@ TEST(Rolling, spring_of_other_codes_is_linear_up_to_its_cap) {
     double worst = 0;
     bool capped = false;
     for (int n = 1; n <= 200; ++n) {
-        add_forces(w.scene.dem, w.state, w.work.dem, step, [](Block&) {});
+        evaluate_forces(w, step);
         const double spring = stiffness_N_m / 4 * reduced * reduced * 2 * turn * n * step;
         capped = spring > limit;
         for (std::uint32_t id = 0; id < 2 * pairs; ++id) {
@@ -266,23 +269,38 @@ TEST(Rolling, spring_of_other_codes_is_linear_up_to_its_cap) {
 
 // ---- Blocks -------------------------------------------------------------------------------------------------------
 
-TEST(Blocks, are_all_finished_once_beside_any_work_on_any_threads) {
+// Five discs wide and a thousand high, so that blocks reach two blocks further and more than one waits for a thread.
+TEST(Blocks, are_all_finished_once_with_the_same_forces_beside_any_work_on_any_threads) {
     std::vector<Disc> discs;
-    for (int n = 0; n < 5000; ++n) discs.push_back(make_disc({0.0041 * (n % 100), 0.0041 * (n / 100)}, 0.002, 0.004));
+    for (int n = 0; n < 5000; ++n) discs.push_back(make_disc({0.0039 * (n % 5), 0.00395 * (n / 5)}, 0.002, 0.004));
     World w = make_world(make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.5), 0.2, 1e-5), discs);
     update_lists(w.scene.dem, w.state, w.work.dem);
-    ASSERT_EQ(w.work.dem.block.size(), 5U);
+    const auto& block = w.work.dem.block;
+    ASSERT_EQ(block.size(), 5U);
+    std::uint32_t furthest = 0;
+    for (std::uint32_t b = 0; b < block.size(); ++b) furthest = std::max(furthest, b - block[b].first_source);
+    EXPECT_GE(furthest, 2U);
+    std::vector<DiscForce> alone;
     for (const int threads : {1, 2, 3, 5, 8})
         for (const double cost : {0.0, 0.7, 1.6, 4.0, 100.0}) {
             set_threads(threads);
             std::atomic<int> beside = 0;
             std::array<std::atomic<int>, 5> finished{};
             add_forces(w.scene.dem, w.state, w.work.dem, 0.0,
-                       [&](Block& block) { ++finished[block.disc_begin / discs_per_block]; },
+                       [&](const Block& done, std::span<DiscForce> force) {
+                           ++finished[done.disc_begin / discs_per_block];
+                           std::ranges::fill(force, DiscForce{});
+                       },
                        {[&] { ++beside; }, cost});
             EXPECT_EQ(beside, 1) << threads << " threads, " << cost;
             for (const auto& times : finished) EXPECT_EQ(times, 1) << threads << " threads, " << cost;
+            if (alone.empty()) alone = w.work.dem.kept_force;
+            const bool same = std::ranges::equal(alone, w.work.dem.kept_force, [](const auto& a, const auto& b) {
+                return a.x_N == b.x_N && a.y_N == b.y_N && a.turning_N == b.turning_N && a.rolling_Nm == b.rolling_Nm;
+            });
+            EXPECT_TRUE(same) << threads << " threads, " << cost;
         }
+    EXPECT_TRUE(std::ranges::any_of(alone, [](const DiscForce& f) { return f.x_N != 0 && f.y_N != 0; }));
     set_threads(1);
 }
 
