@@ -37,6 +37,13 @@ struct PairSides {
     V omega_i, radius_i, omega_j, radius_j;
 };
 
+/// The same with its first root, for which all else waits.
+template <class V>
+struct PairDistance {
+    PairSides<V> sides;
+    V distance2, distance;
+};
+
 /// A pair's geometry and relative motion.
 template <class V>
 struct PairMotion {
@@ -69,10 +76,16 @@ struct PairForces {
 
 /// The order of the statements means nothing but time: the compiler schedules the loop by it, and a harmless change may
 /// cost half as much again (README.md, "Cost"). `make bench` before and after any.
-template <PairRolling R, class V>
-IFEDEM_INLINE PairMotion<V> pair_motion(const PairSides<V>& p) {
+template <class V>
+IFEDEM_INLINE PairDistance<V> pair_distance(const PairSides<V>& p) {
     const V distance2 = p.x * p.x + p.y * p.y;
-    const V distance = root(distance2);
+    return {p, distance2, root(distance2)};
+}
+
+template <PairRolling R, class V>
+IFEDEM_INLINE PairMotion<V> pair_motion(const PairDistance<V>& d) {
+    const PairSides<V>& p = d.sides;
+    const V distance2 = d.distance2, distance = d.distance;
     PairMotion<V> m;
     m.rim_speed = p.omega_i * p.radius_i + p.omega_j * p.radius_j;
     m.ux = p.vx, m.uy = p.vy;
@@ -126,7 +139,8 @@ IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, s
     const PairSides<double> sides{i.x_m - j.x_m, i.y_m - j.y_m, i.vx_m_s - j.vx_m_s, i.vy_m_s - j.vy_m_s,
                                   i.omega_rad_s, i.radius_m,    j.omega_rad_s,       j.radius_m};
     const PairMemory<double> old{b.spring_m[n], springs ? b.rolling_Nm[n] : 0.0};
-    const auto f = pair_forces<R, double>(k, pair_motion<R>(sides), b.damping_Ns_m[n], old, b.spring_step_s);
+    const auto f =
+        pair_forces<R, double>(k, pair_motion<R>(pair_distance(sides)), b.damping_Ns_m[n], old, b.spring_step_s);
     b.spring_m[n] = f.memory.spring;
     if constexpr (springs) b.rolling_Nm[n] = f.memory.rolling;
     DiscForce &on_i = b.force[b.i[n]], &on_j = b.force[b.j[n]];
@@ -259,9 +273,9 @@ IFEDEM_INLINE void scatter(const PairBatch& b, std::uint32_t n, const PairForces
 }
 
 /// W pairs from `n` on.
-template <PairRolling R, int W>
-IFEDEM_INLINE PairMotion<Pack<W>> gather(const PairBatch& b, std::uint32_t n) {
-    return pair_motion<R, Pack<W>>(load_sides<W>(b.disc, b.i + n, b.j + n));
+template <int W>
+IFEDEM_INLINE PairDistance<Pack<W>> gather(const PairBatch& b, std::uint32_t n) {
+    return pair_distance(load_sides<W>(b.disc, b.i + n, b.j + n));
 }
 
 /// Their law; what they remember is stored.
@@ -276,28 +290,56 @@ IFEDEM_INLINE PairForces<Pack<W>> compute(const ContactConstants& k, const PairB
     return f;
 }
 
-/// Software-pipelined in three stages, so that the roots and the division of one batch are under way while the law of
-/// the batch before and the sums of the one before that are done; in program order a batch would wait for each of
-/// them. Constants are copied so that no store can be thought to change them.
+// The packs of a block are software-pipelined, so that the roots and the division of one are under way while the law of
+// the one before and the sums of the one before that are done; in program order a pack would wait for each of them.
+// Four stages for 4 lanes: the processors that have no more hold 250 instructions at a time, in which three stages
+// leave their longest chain no time. With 8 lanes four stages were slower.
+
+/// Gives the first pair that is left.
+template <PairRolling R, int W>
+IFEDEM_INLINE std::uint32_t add_in_three_stages(const ContactConstants& k, const PairBatch& b) {
+    std::uint32_t n = b.begin;
+    if (n + 2 * W > b.end) return n;
+    auto motion = pair_motion<R>(gather<W>(b, n));
+    auto forces = compute<R, W>(k, b, n, motion);
+    motion = pair_motion<R>(gather<W>(b, n + W));
+    for (n += 2 * W; n + W <= b.end; n += W) {
+        const auto next = pair_motion<R>(gather<W>(b, n));
+        const auto ready = forces;
+        forces = compute<R, W>(k, b, n - W, motion);
+        scatter<R, W>(b, n - 2 * W, ready);
+        motion = next;
+    }
+    scatter<R, W>(b, n - 2 * W, forces);
+    scatter<R, W>(b, n - W, compute<R, W>(k, b, n - W, motion));
+    return n;
+}
+
+template <PairRolling R, int W>
+IFEDEM_INLINE std::uint32_t add_in_four_stages(const ContactConstants& k, const PairBatch& b) {
+    std::uint32_t n = b.begin;
+    if (n + 3 * W > b.end) return n;
+    auto forces = compute<R, W>(k, b, n, pair_motion<R>(gather<W>(b, n)));
+    auto motion = pair_motion<R>(gather<W>(b, n + W));
+    auto distance = gather<W>(b, n + 2 * W);
+    for (n += 3 * W; n + W <= b.end; n += W) {
+        scatter<R, W>(b, n - 3 * W, forces);
+        forces = compute<R, W>(k, b, n - 2 * W, motion);
+        motion = pair_motion<R>(distance);
+        distance = gather<W>(b, n);
+    }
+    scatter<R, W>(b, n - 3 * W, forces);
+    scatter<R, W>(b, n - 2 * W, compute<R, W>(k, b, n - 2 * W, motion));
+    scatter<R, W>(b, n - W, compute<R, W>(k, b, n - W, pair_motion<R>(distance)));
+    return n;
+}
+
+/// Constants are copied so that no store can be thought to change them.
 template <PairRolling R, int W>
 IFEDEM_INLINE void add_pairs_as(const ContactConstants& constants, const PairBatch& batch) {
     const ContactConstants k = turn_chords(constants);
     const PairBatch b = batch;
-    std::uint32_t n = b.begin;
-    if (n + 2 * W <= b.end) {
-        auto motion = gather<R, W>(b, n);
-        auto forces = compute<R, W>(k, b, n, motion);
-        motion = gather<R, W>(b, n + W);
-        for (n += 2 * W; n + W <= b.end; n += W) {
-            const auto next = gather<R, W>(b, n);
-            const auto ready = forces;
-            forces = compute<R, W>(k, b, n - W, motion);
-            scatter<R, W>(b, n - 2 * W, ready);
-            motion = next;
-        }
-        scatter<R, W>(b, n - 2 * W, forces);
-        scatter<R, W>(b, n - W, compute<R, W>(k, b, n - W, motion));
-    }
+    std::uint32_t n = W == 4 ? add_in_four_stages<R, W>(k, b) : add_in_three_stages<R, W>(k, b);
     for (; n < b.end; ++n) add_one_pair<R>(k, b, n);
 }
 
