@@ -59,7 +59,7 @@ struct DemWorkspace {
     std::vector<double> rolling_Nm;  ///< of DemConstants::rolling_springs, else empty
     std::vector<Merge> merge;
     std::vector<DiscForce> halo;                       ///< what each block's pairs do to discs of later blocks
-    std::uint32_t slots = 0;                           ///< that a thread needs,
+    std::size_t slots = 0;                             ///< that a thread needs,
     std::vector<std::vector<DiscForce>> thread_force;  ///< for the blocks that it works at: 0 between steps
     bool keep_forces = false;
     std::vector<DiscForce> kept_force;    ///< if they are kept: the last sums, by list position
