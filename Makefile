@@ -87,7 +87,7 @@ bench-peers: build ## ifedem against LAMMPS, LIGGGHTS and YADE (idle machine): b
 sanitize sanitize-unit: $(BUILD)/.packages ## tests (all, or the unit tests) under AddressSanitizer and UndefinedBehaviorSanitizer
 	@cmake -S . -B $(BUILD)-sanitize -G Ninja -DCMAKE_CXX_COMPILER=$(CXX_FAST) -DIFEDEM_SANITIZE=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 > /dev/null
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target $(if $(filter sanitize-unit,$@),tests_unit,all)
-	@ctest --test-dir $(BUILD)-sanitize --output-on-failure -j $(JOBS) $(if $(filter sanitize-unit,$@),-L unit)
+	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0 ctest --test-dir $(BUILD)-sanitize --output-on-failure -j $(JOBS) $(if $(filter sanitize-unit,$@),-L unit)
 
 # FIDELITY=dissertation CASE=B3-earth-170N-s60-r1 THREADS=n: one run of chapter 3 with the text's own step
 reproduce-chapter%: build ## simulate, check and report a chapter: reproduce-chapter3 (ENGINE=slurm, or parallel HOSTS=file: on other machines)
