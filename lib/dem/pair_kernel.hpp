@@ -293,7 +293,8 @@ IFEDEM_INLINE PairForces<Pack<W>> compute(const ContactConstants& k, const PairB
 // The packs of a block are software-pipelined, so that the roots and the division of one are under way while the law of
 // the one before and the sums of the one before that are done; in program order a pack would wait for each of them.
 // Four stages for 4 lanes: the processors that have no more hold 250 instructions at a time, in which three stages
-// leave their longest chain no time. With 8 lanes four stages were slower.
+// leave their longest chain no time. With 8 lanes four stages were slower, in another order of them (README.md,
+// "Cost").
 
 /// Gives the first pair that is left.
 template <PairRolling R, int W>

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "dem/blocks.hpp"
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "step/convert.hpp"

@@ -12,7 +12,6 @@
 
 #include "core/bitmath.hpp"
 #include "core/random.hpp"
-#include "dem/blocks.hpp"
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "step/scene.hpp"
