@@ -27,8 +27,8 @@ void add_pairs_sse2(const ContactConstants& k, const PairBatch& batch);
 void add_pairs_avx2(const ContactConstants& k, const PairBatch& batch);
 void add_pairs_avx512(const ContactConstants& k, const PairBatch& batch);
 
-/// Rolling resistance between discs: Eq 2.18, or other codes' spring (DemConstants::rolling_springs).
-enum class PairRolling { chord, spring };
+/// Rolling resistance between discs: none, Eq 2.18, or other codes' spring (DemConstants::rolling_springs).
+enum class PairRolling { none, chord, spring };
 
 /// What a pair's law needs of its discs i and j.
 template <class V>
@@ -50,7 +50,7 @@ struct PairMotion {
     V nx, ny;  ///< unit normal from i to j
     V overlap;
     V minus_inverse;  ///< −1 / distance
-    V crossing;       ///< (chord × distance)², ≥ 0
+    V chord;          ///< × distance, squared, ≥ 0, until root_of_chord(); for Eq 2.18 only
     V minus_lever;    ///< −distance / (r_i + r_j): the contact point divides the distance as the radii do
     V ux, uy;         ///< velocity of i relative to j
     V rim_speed;      ///< ω_i r_i + ω_j r_j
@@ -95,11 +95,19 @@ IFEDEM_INLINE PairMotion<V> pair_motion(const PairDistance<V>& d) {
     m.overlap = radii - distance;
     m.minus_lever = distance2 * both;
     m.nx = p.x * m.minus_inverse, m.ny = p.y * m.minus_inverse;
-    m.crossing = max_of(chord_product(distance, distance2, m.overlap, p.radius_i, p.radius_j), V(0.0));
+    if constexpr (R == PairRolling::chord)
+        m.chord = max_of(chord_product(distance, distance2, m.overlap, p.radius_i, p.radius_j), V(0.0));
     if constexpr (R == PairRolling::spring) {
         m.omega = p.omega_i - p.omega_j;
         m.reduced_radius = (p.radius_i * p.radius_j) * (-both * distance);
     }
+    return m;
+}
+
+/// The second root: 8 lanes want it in another stage of the loop than 4.
+template <PairRolling R, class V>
+IFEDEM_INLINE PairMotion<V> root_of_chord(PairMotion<V> m) {
+    if constexpr (R == PairRolling::chord) m.chord = root(m.chord);
     return m;
 }
 
@@ -113,14 +121,14 @@ IFEDEM_INLINE ContactConstants turn_chords(ContactConstants k) {
 template <PairRolling R, class V>
 IFEDEM_INLINE PairForces<V> pair_forces(const ContactConstants& k, const PairMotion<V>& p, V damping,
                                         const PairMemory<V>& old, V step_s) {
-    const V minus_chord = p.minus_inverse * root(p.crossing);
+    const V minus_chord = R == PairRolling::chord ? p.minus_inverse * p.chord : V(0.0);
     const V approach = p.ux * p.nx + p.uy * p.ny;
     const V sliding = (p.uy * p.nx - p.ux * p.ny) - p.minus_lever * p.rim_speed;
     const auto f = contact_forces(k, p.overlap, approach, sliding, damping, old.spring, step_s, minus_chord);
     PairForces<V> out{f.normal_N * p.nx - f.tangential_N * p.ny,
                       f.normal_N * p.ny + f.tangential_N * p.nx,
                       f.tangential_N * p.minus_lever,
-                      f.rolling_limit_Nm,
+                      R == PairRolling::chord ? f.rolling_limit_Nm : V(0.0),
                       {f.tangential_spring_m, V(0.0)}};
     if constexpr (R == PairRolling::spring) {
         const V cap = (k.rolling_cap * p.reduced_radius) * max_of(f.normal_N, V(0.0));
@@ -139,8 +147,8 @@ IFEDEM_INLINE void add_one_pair(const ContactConstants& k, const PairBatch& b, s
     const PairSides<double> sides{i.x_m - j.x_m, i.y_m - j.y_m, i.vx_m_s - j.vx_m_s, i.vy_m_s - j.vy_m_s,
                                   i.omega_rad_s, i.radius_m,    j.omega_rad_s,       j.radius_m};
     const PairMemory<double> old{b.spring_m[n], springs ? b.rolling_Nm[n] : 0.0};
-    const auto f =
-        pair_forces<R, double>(k, pair_motion<R>(pair_distance(sides)), b.damping_Ns_m[n], old, b.spring_step_s);
+    const auto f = pair_forces<R, double>(k, root_of_chord<R>(pair_motion<R>(pair_distance(sides))), b.damping_Ns_m[n],
+                                          old, b.spring_step_s);
     b.spring_m[n] = f.memory.spring;
     if constexpr (springs) b.rolling_Nm[n] = f.memory.rolling;
     DiscForce &on_i = b.force[b.i[n]], &on_j = b.force[b.j[n]];
@@ -302,17 +310,17 @@ IFEDEM_INLINE std::uint32_t add_in_three_stages(const ContactConstants& k, const
     std::uint32_t n = b.begin;
     if (n + 2 * W > b.end) return n;
     auto motion = pair_motion<R>(gather<W>(b, n));
-    auto forces = compute<R, W>(k, b, n, motion);
+    auto forces = compute<R, W>(k, b, n, root_of_chord<R>(motion));
     motion = pair_motion<R>(gather<W>(b, n + W));
     for (n += 2 * W; n + W <= b.end; n += W) {
         const auto next = pair_motion<R>(gather<W>(b, n));
         const auto ready = forces;
-        forces = compute<R, W>(k, b, n - W, motion);
+        forces = compute<R, W>(k, b, n - W, root_of_chord<R>(motion));
         scatter<R, W>(b, n - 2 * W, ready);
         motion = next;
     }
     scatter<R, W>(b, n - 2 * W, forces);
-    scatter<R, W>(b, n - W, compute<R, W>(k, b, n - W, motion));
+    scatter<R, W>(b, n - W, compute<R, W>(k, b, n - W, root_of_chord<R>(motion)));
     return n;
 }
 
@@ -320,18 +328,18 @@ template <PairRolling R, int W>
 IFEDEM_INLINE std::uint32_t add_in_four_stages(const ContactConstants& k, const PairBatch& b) {
     std::uint32_t n = b.begin;
     if (n + 3 * W > b.end) return n;
-    auto forces = compute<R, W>(k, b, n, pair_motion<R>(gather<W>(b, n)));
-    auto motion = pair_motion<R>(gather<W>(b, n + W));
+    auto forces = compute<R, W>(k, b, n, root_of_chord<R>(pair_motion<R>(gather<W>(b, n))));
+    auto motion = root_of_chord<R>(pair_motion<R>(gather<W>(b, n + W)));
     auto distance = gather<W>(b, n + 2 * W);
     for (n += 3 * W; n + W <= b.end; n += W) {
         scatter<R, W>(b, n - 3 * W, forces);
         forces = compute<R, W>(k, b, n - 2 * W, motion);
-        motion = pair_motion<R>(distance);
+        motion = root_of_chord<R>(pair_motion<R>(distance));
         distance = gather<W>(b, n);
     }
     scatter<R, W>(b, n - 3 * W, forces);
     scatter<R, W>(b, n - 2 * W, compute<R, W>(k, b, n - 2 * W, motion));
-    scatter<R, W>(b, n - W, compute<R, W>(k, b, n - W, pair_motion<R>(distance)));
+    scatter<R, W>(b, n - W, compute<R, W>(k, b, n - W, root_of_chord<R>(pair_motion<R>(distance))));
     return n;
 }
 
@@ -340,14 +348,21 @@ template <PairRolling R, int W>
 IFEDEM_INLINE void add_pairs_as(const ContactConstants& constants, const PairBatch& batch) {
     const ContactConstants k = turn_chords(constants);
     const PairBatch b = batch;
-    std::uint32_t n = W == 4 ? add_in_four_stages<R, W>(k, b) : add_in_three_stages<R, W>(k, b);
+    std::uint32_t n = b.begin;
+    if constexpr (W == 4)
+        n = add_in_four_stages<R, W>(k, b);
+    else if constexpr (W > 1)
+        n = add_in_three_stages<R, W>(k, b);
     for (; n < b.end; ++n) add_one_pair<R>(k, b, n);
 }
 
+/// W pairs at a time; with W = 1 one by one: the fallback, and what the others must equal.
 template <int W>
 IFEDEM_INLINE void add_pairs(const ContactConstants& k, const PairBatch& batch) {
-    if (batch.rolling_Nm == nullptr)
+    if (k.rolling_chords != 0.0 && batch.rolling_Nm == nullptr)
         add_pairs_as<PairRolling::chord, W>(k, batch);
+    else if (batch.rolling_Nm == nullptr)
+        add_pairs_as<PairRolling::none, W>(k, batch);
     else
         add_pairs_as<PairRolling::spring, W>(k, batch);
 }

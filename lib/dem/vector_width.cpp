@@ -10,16 +10,6 @@
 namespace ifedem {
 namespace {
 
-/// The scalar fallback, and what the vector kernels must equal.
-void add_pairs_scalar(const ContactConstants& k, const PairBatch& batch) {
-    const ContactConstants turned = turn_chords(k);
-    for (std::uint32_t n = batch.begin; n < batch.end; ++n)
-        if (batch.rolling_Nm == nullptr)
-            add_one_pair<PairRolling::chord>(turned, batch, n);
-        else
-            add_one_pair<PairRolling::spring>(turned, batch, n);
-}
-
 bool has_width(int width) {
     switch (width) {
         case 1:
@@ -57,7 +47,7 @@ PairKernel choose_pair_kernel(int width) {
         case 2:
             return add_pairs_sse2;
         default:
-            return add_pairs_scalar;
+            return add_pairs<1>;
     }
 }
 

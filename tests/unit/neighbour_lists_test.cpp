@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dem/skins.hpp"
+#include "dem/vector_width.hpp"
 #include "support/dem_scenes.hpp"
 #include "support/reference_dem.hpp"
 
@@ -24,18 +25,21 @@ struct Bed {
     double speed_m_s;
     std::uint64_t seed;
     Walls walls;
+    double rolling_chords = 2;
 };
 
 void PrintTo(const Bed& b, std::ostream* out) {
-    *out << b.count << " discs, fill " << b.fill << ", seed " << b.seed << ", walls " << static_cast<int>(b.walls);
+    *out << b.count << " discs, fill " << b.fill << ", seed " << b.seed << ", walls " << static_cast<int>(b.walls)
+         << ", rolling " << b.rolling_chords;
 }
 
 World make_bed(const Bed& bed, double gravity_m_s2) {
     Random random{bed.seed};
     double side = 0;
     const std::vector<Disc> discs = scatter_discs(bed.count, bed.fill, bed.speed_m_s, random, side);
-    DemConstants dem = make_dem(make_contact(stiffness_N_m, stiffness_N_m / 4, 0.5, ContactEnd::no_attraction, 2), 0.2,
-                                4e-5, gravity_m_s2);
+    const ContactConstants contact =
+        make_contact(stiffness_N_m, stiffness_N_m / 4, 0.5, ContactEnd::no_attraction, bed.rolling_chords);
+    DemConstants dem = make_dem(contact, 0.2, 4e-5, gravity_m_s2);
     if (bed.walls == Walls::flat) dem.flat_walls = make_box(side);
     if (bed.walls == Walls::discs || bed.walls == Walls::both) dem.wall_discs = make_box_of_discs(side, 0.003);
     if (bed.walls == Walls::both) dem.flat_walls = {{{0, side}, {0, -1}}};  // a lid
@@ -175,7 +179,31 @@ TEST_P(Forces, and_springs_equal_those_of_all_pairs) {
 INSTANTIATE_TEST_SUITE_P(RandomBeds, Forces,
                          testing::Values(Bed{2, 0.6, 0.5, 12, Walls::flat}, Bed{60, 0.7, 0.8, 13, Walls::flat},
                                          Bed{60, 0.7, 0.8, 14, Walls::discs}, Bed{250, 0.75, 0.6, 15, Walls::discs},
-                                         Bed{250, 0.75, 1.5, 16, Walls::flat}, Bed{60, 0.7, 0.8, 17, Walls::both}));
+                                         Bed{250, 0.75, 1.5, 16, Walls::flat}, Bed{60, 0.7, 0.8, 17, Walls::both},
+                                         Bed{60, 0.7, 0.8, 18, Walls::flat, 0}));
+
+/// A bed after many steps that run over `width` pairs at a time.
+World advance_with(int width, const Bed& bed, bool rolling_springs) {
+    World w = make_bed(bed, 9.81);
+    w.scene.dem.rolling_springs = rolling_springs, w.scene.dem.soil.rolling_cap = 0.1;
+    w.work = make_workspace(w.scene, w.state);
+    w.work.dem.vector_width = width, w.work.dem.pair_kernel = choose_pair_kernel(width);
+    advance(w, 200);
+    return w;
+}
+
+TEST(Widths, give_the_bits_of_scalar_code_for_each_rolling_resistance) {
+    const Bed rolling{250, 0.75, 0.6, 19, Walls::flat}, smooth{250, 0.75, 0.6, 19, Walls::flat, 0};
+    std::set<std::uint64_t> different;
+    for (const auto& [bed, springs] : {std::pair(rolling, false), {smooth, false}, {smooth, true}}) {
+        const std::uint64_t scalar = hash_state(advance_with(1, bed, springs).state);
+        for (int width = 2; width <= vector_width(); width *= 2)
+            EXPECT_EQ(hash_state(advance_with(width, bed, springs).state), scalar)
+                << width << " lanes, rolling " << bed.rolling_chords << ", springs " << springs;
+        different.insert(scalar);
+    }
+    EXPECT_EQ(different.size(), 3U) << "two of the resistances do the same: the test tests nothing";
+}
 
 // More than one block of discs, so that forces come together from several threads' slots.
 TEST(Blocks, forces_of_several_blocks_equal_those_of_all_pairs) {
