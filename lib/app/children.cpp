@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <map>
 
 #include "core/error.hpp"
@@ -17,12 +18,15 @@ namespace {
 volatile std::sig_atomic_t signal_seen = 0;
 extern "C" void note_child_signal(int number) { signal_seen = number; }
 
-/// Without SA_RESTART: a signal ends the wait for a child.
+/// Without SA_RESTART: a signal ends the wait for a child. Who started us may have ignored SIGCHLD, and then children
+/// leave no status.
 void watch_signals() {
     struct sigaction action {};
     action.sa_handler = note_child_signal;
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGINT, &action, nullptr);
+    action.sa_handler = SIG_DFL;
+    sigaction(SIGCHLD, &action, nullptr);
 }
 
 /// What it prints to stdout is left out, its errors are shown.
@@ -32,7 +36,7 @@ pid_t start(std::vector<std::string> arguments) {
     for (std::string& a : arguments) raw.push_back(a.data());
     raw.push_back(nullptr);
     const pid_t child = fork();
-    if (child < 0) fail_io("cannot start another process. Lower --jobs?");
+    if (child < 0) fail_io(fmt::format("cannot start another process ({}). Lower --jobs?", std::strerror(errno)));
     if (child > 0) return child;
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDOUT_FILENO);
@@ -60,6 +64,7 @@ std::vector<int> run_children(const std::vector<std::vector<std::string>>& calls
         int ended = 0;
         const pid_t child = waitpid(-1, &ended, 0);
         if (child < 0 && errno == EINTR) continue;
+        if (child < 0) fail_io(fmt::format("lost a process ({}). Run the command again?", std::strerror(errno)));
         const auto found = running.find(child);
         if (found == running.end()) continue;
         status[found->second] = WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended);

@@ -99,7 +99,6 @@ struct LiveRun {
     std::uint64_t steps_made = 0;  ///< by this process
     Spent before;                  ///< by earlier processes, up to the checkpoint
     double cpu_begin_s = cpu_seconds(), first_thread_begin_s = first_thread_seconds(), wall_begin_s = wall_seconds();
-    std::vector<RunValue> facts;
     std::optional<Violation> violation;
     Profile profile;
 };
@@ -340,10 +339,11 @@ int finish(LiveRun& run) {
         for (const Stage s : {Stage::consolidation, Stage::sinkage})
             for (const RunValue& v : read_stage_facts(stage_directory(run, s) + "/stage.csv"))
                 values.push_back({std::string(stage_name(s)) + "_" + v.name, v.value, v.unit});
-        write_file_atomically(run.request.directory + "/run.csv", to_csv(values));
         write_contact_stress(run.request.directory, run.c, run.state.stress);
         if (has_soil_elements(run.state))
             write_file_atomically(run.request.directory + "/conversions.csv", conversions_csv(run.state.soil));
+        // Last: a directory with this file counts as a finished run.
+        write_file_atomically(run.request.directory + "/run.csv", to_csv(values));
         draw_last_frame(run.request.directory);
         std::error_code ignored;
         fs::remove(checkpoint_path(run), ignored);  // the run is whole: nothing is left to go on from

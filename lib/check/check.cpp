@@ -100,7 +100,7 @@ std::vector<Outcome> read_checks(const std::string& path, const std::vector<Clai
         o.computed = parse_number(cell("computed"));
         o.scatter = parse_number(cell("scatter")).value_or(0);
         o.uncertainty = uncertainty ? parse_number(row.cells[*uncertainty]).value_or(0) : 0;
-        o.n = static_cast<std::size_t>(parse_number(cell("n")).value_or(0));
+        o.n = count_of(table, row, "n");
         o.tolerance_text = cell("tolerance");
         o.error_over_tolerance = parse_number(cell("error_over_tolerance"));
         o.verdict = *verdict;

@@ -135,6 +135,16 @@ double number_or_infinity(const CsvTable& table, const CsvRow& row, std::string_
     return parse_number(row.cells[table.require(column)]).value_or(std::numeric_limits<double>::infinity());
 }
 
+std::size_t count_of(const CsvTable& table, const CsvRow& row, std::string_view column) {
+    const std::string& cell = row.cells[table.require(column)];
+    if (cell.empty()) return 0;
+    constexpr double most = 1e9;  // far from where a cast to std::size_t would not be defined
+    const auto value = parse_number(cell);
+    if (!value || !(*value >= 0 && *value <= most) || *value != std::floor(*value))
+        fail_input(fmt::format("{}:{}: {} = {} is no count. Write a whole number.", table.path, row.line, column, cell));
+    return static_cast<std::size_t>(*value);
+}
+
 std::string format_number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string(); }
 
 std::vector<std::string> split(std::string_view text, char separator) {

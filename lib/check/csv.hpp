@@ -49,6 +49,9 @@ void write_text(const std::string& path, const std::string& text);
 /// of a single run. Throws Error(bad_input) if the column is missing.
 [[nodiscard]] double number_or_infinity(const CsvTable& table, const CsvRow& row, std::string_view column);
 
+/// A row's count in a column, 0 where the cell is empty. Throws Error(bad_input) if it is no whole number.
+[[nodiscard]] std::size_t count_of(const CsvTable& table, const CsvRow& row, std::string_view column);
+
 /// Six significant digits; an empty cell for what is not finite.
 [[nodiscard]] std::string format_number(double value);
 

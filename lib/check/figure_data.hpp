@@ -30,10 +30,11 @@ enum class SlipAxis { set, measured };
                                                    const std::string& metric, const std::vector<CurveName>& curves,
                                                    SlipAxis axis);
 
-/// travel_m and mean, least and greatest of T, P_d and z in bins of travel.
+/// travel_cm and mean, least and greatest of T, P_d and z in bins of travel.
 [[nodiscard]] std::string series_data(const MeasuredRun& run);
 
-/// row,label,error_over_tolerance,verdict,n of all numbers with a tolerance, worst last.
+/// row,label,error_over_tolerance,verdict of all numbers with a tolerance, in the order of the claims; errors beyond
+/// three tolerances count as three.
 [[nodiscard]] std::optional<std::string> agreement_data(const std::vector<Outcome>& outcomes);
 
 [[nodiscard]] std::optional<std::string> stiffness_data(const Campaign& campaign);

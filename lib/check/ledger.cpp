@@ -21,23 +21,19 @@ namespace {
 void add_rows(const std::string& path, Ledger& ledger) {
     const CsvTable table = read_csv(path);
     const auto column = [&](const char* name) { return table.require(name); };
-    const auto id = column("id"), chapter = column("chapter"), quantity = column("quantity"), symbol = column("symbol"),
-               value = column("value"), units = column("units"), condition = column("condition"),
-               source = column("source"), line = column("line"), kind = column("kind");
+    const auto id = column("id"), quantity = column("quantity"), symbol = column("symbol"), value = column("value"),
+               units = column("units"), condition = column("condition"), source = column("source"),
+               kind = column("kind");
     for (const auto& row : table.rows) {
-        const auto chapter_number = parse_number(row.cells[chapter]);
-        const auto line_number = row.cells[line].empty() ? std::optional<double>(0) : parse_number(row.cells[line]);
-        if (!chapter_number || !line_number)
-            fail_input(fmt::format("{}:{}: chapter and line must be numbers. Correct the row.", path, row.line));
         LedgerRow entry{row.cells[id],
-                        static_cast<int>(*chapter_number),
+                        static_cast<int>(count_of(table, row, "chapter")),
                         row.cells[quantity],
                         row.cells[symbol],
                         row.cells[value],
                         row.cells[units],
                         row.cells[condition],
                         row.cells[source],
-                        static_cast<std::size_t>(*line_number),
+                        count_of(table, row, "line"),
                         row.cells[kind]};
         if (!ledger.emplace(row.cells[id], std::move(entry)).second)
             fail_input(

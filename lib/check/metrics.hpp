@@ -45,16 +45,16 @@ struct RunMetrics {
     double gross_tractive_effort_minimum_N = 0;  ///< ⟨T⟩/min r_e
     double net_traction_N = 0;                   ///< P_d = −⟨P⟩
     double motion_resistance_N = 0;              ///< R = P_d − H
-    double direct_thrust_N = 0;      ///< ⟨Σ F_x > 0⟩ over wheel segments (Eq 2.13); NaN if not recorded
+    double direct_thrust_N = 0;      ///< ⟨Σ F_x > 0⟩ over wheel segments (Eq 2.13)
     double direct_resistance_N = 0;  ///< ⟨Σ F_x < 0⟩
     double vertical_force_N = 0;
     double torque_Nm = 0;
     double sinkage_cm = 0;
     double effective_radius_m = 0;
     double deflection_mm = 0;                ///< tread radius − ⟨r_e⟩ (section 3.3.2)
-    double measured_slip_percent = 0;        ///< 1 − ⟨V⟩/(⟨r_e⟩⟨ω⟩)
+    double measured_slip_percent = 0;        ///< 1 − ⟨V⟩/(⟨r_e⟩ ω) (Eq 3.8), ω as commanded
     double horizontal_imbalance_N = 0;       ///< ⟨Σ F_x⟩ − ⟨P_d⟩: 0 for a wheel that does not accelerate
-    double vertical_inertia_N = 0;           ///< growth of the wheel's vertical momentum / time; 0 if not recorded
+    double vertical_inertia_N = 0;           ///< growth of the wheel's vertical momentum / time
     double vertical_imbalance_N = 0;         ///< ⟨Σ F_y⟩ − W − inertia: 0 for every window
     double bounce_N = 0, bounce_Hz = 0;      ///< strongest oscillation of Σ F_y, 1–25 Hz
     double drawbar_deviation_N = 0;          ///< standard deviation of P within the window

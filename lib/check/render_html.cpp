@@ -53,8 +53,8 @@ std::string render(const Table& table, const std::string&) {
 std::string render_image(const Figure& figure, const std::string& directory) {
     const std::string bytes = read_text(directory + "/" + figure.image);
     if (figure.image.ends_with(".svg")) return inline_svg(bytes, figure.name, figure.title);
-    return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escape_html(figure.title),
-                       encode_base64(bytes));
+    return fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">", escape_html(figure.title),
+                       figure.image.ends_with(".gif") ? "gif" : "png", encode_base64(bytes));
 }
 
 std::string render(const FigureGroup& group, const std::string& directory) {

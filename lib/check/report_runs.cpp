@@ -220,7 +220,7 @@ Section provenance_section(const Campaign& campaign, const std::string& command)
     t.caption = "Same command and same results version: same hash, on any machine and with any number of threads.";
     t.style = "wide";
     t.header = {"Run",     "State hash", "Results version",          "Program", "Compiler", "Threads", "Steps",
-                "CPU [s]", "Wall [s]",   "ns per particle and step", "Command"};
+                "CPU [s]", "Wall [s]",   "ns per particle and step"};
     for (const auto& run : campaign.runs) {
         const auto text = [&](const char* name) {
             return run.run.text(name).empty() ? std::string("–") : run.run.text(name);
@@ -234,8 +234,7 @@ Section provenance_section(const Campaign& campaign, const std::string& command)
                           {text("steps"), "num"},
                           {text("cpu_s"), "num"},
                           {text("wall_s"), "num"},
-                          {text("ns_per_particle_step"), "num"},
-                          {text("command"), "id"}});
+                          {text("ns_per_particle_step"), "num"}});
     }
     s.blocks.emplace_back(std::move(t));
     return s;

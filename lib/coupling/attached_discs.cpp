@@ -1,6 +1,7 @@
 #include "coupling/attached_discs.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <numeric>
 
 namespace ifedem {
@@ -30,8 +31,10 @@ SortedByX sort_by_x(const SoilState& soil) {
         s.position_m.push_back(attached_position_m(soil, n));
         s.largest_radius_m = max_of(s.largest_radius_m, soil.attached[n].radius_m);
     }
+    // An order of all doubles: up to the next health check a node may be nowhere (NaN), which `<` cannot sort.
     std::sort(s.number.begin(), s.number.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return s.position_m[a].x != s.position_m[b].x ? s.position_m[a].x < s.position_m[b].x : a < b;
+        const auto order = std::strong_order(s.position_m[a].x, s.position_m[b].x);
+        return order != 0 ? order < 0 : a < b;
     });
     return s;
 }

@@ -111,6 +111,8 @@ std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
         const double distance = norm(between), overlap = disc[i].radius_m + disc[j].radius_m - distance;
         if (overlap <= 0) continue;
         const Vec2 normal = (1.0 / distance) * between;
+        // Of a pair within the block the arms make the whole distance. Across its border the contact point halves the
+        // overlap, where contact_arm_m() divides the distance as the radii do: less than an overlap apart.
         const double arm = (among[i] != 0 ? disc[i].radius_m - 0.5 * overlap : 0.0) +
                            (among[j] != 0 ? disc[j].radius_m - 0.5 * overlap : 0.0);
         const Vec2 r = arm * normal;

@@ -36,7 +36,7 @@ struct WheelModel {
 /// Centre of rotation: hub node or rim centre.
 [[nodiscard]] inline Vec2 hub_position(const WheelState& wheel) { return wheel.rim.position_m; }
 
-/// r_e: the least distance from the hub to a node of the contact surface, m (section 3.2.1, line 463).
+/// r_e: the least distance from the hub to a node of the contact surface, m (section 3.2.1).
 [[nodiscard]] double effective_radius_m(const WheelModel& model, const WheelState& wheel);
 
 /// Force and moment about the hub on the wheel's rigid part.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numeric>
 
 #include "core/bitmath.hpp"
@@ -55,7 +56,8 @@ std::vector<std::uint32_t> sort_by_top(const DiscState& discs) {
     std::iota(order.begin(), order.end(), 0U);
     const auto top = [&](std::uint32_t p) { return discs.disc[p].y_m + discs.disc[p].radius_m; };
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return top(a) != top(b) ? top(a) < top(b) : discs.id[a] < discs.id[b];  // unique keys
+        const auto tops = std::strong_order(top(a), top(b));  // NaN too has its place in it
+        return tops != 0 ? tops < 0 : discs.id[a] < discs.id[b];
     });
     return order;
 }

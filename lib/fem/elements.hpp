@@ -68,7 +68,7 @@ struct StableStep {
 /// First element whose Jacobian is not positive at a corner in the current configuration.
 [[nodiscard]] std::optional<std::uint32_t> find_inverted(const ElementSet& set, std::span<const Vec2> position_m);
 
-/// Cauchy stress estimate at the centroid (σx, σy, τxy) in Pa, rotated to global axes, for pictures.
+/// Cauchy stress estimate at the centroid (σx, σy, τxy) in Pa, rotated to global axes.
 [[nodiscard]] std::array<double, 3> centroid_stress_Pa(const Element& element, const Material& material,
                                                        PlaneState plane, std::span<const Vec2> position_m);
 

@@ -152,7 +152,7 @@ std::vector<std::uint32_t> add_lugs(Mesh& mesh, const Columns& columns, std::uin
     return loop;
 }
 
-/// A rigid rectangle of elements as long as high.
+/// A rigid rectangle of elements, half as high as long.
 WheelMesh make_plate_mesh(double length_m) {
     constexpr std::uint32_t columns = 8, rows = 4;
     WheelMesh plate;

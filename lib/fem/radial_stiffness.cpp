@@ -25,7 +25,7 @@ void hold(Supports& supports, std::uint32_t node) { supports.held[2 * node] = su
 Press set_up(WheelCase wheel, double phase_deg, PlaneFriction friction) {
     if (wheel.body == WheelBody::rigid || wheel.shape == WheelShape::plate) {
         fail_input(
-            "a rigid wheel has no radial stiffness (nothing in it deforms). Set wheel.body to rigid_rim or elastic.");
+            "a rigid wheel has no radial stiffness (nothing in it deforms). Set wheel.body to rigid-rim or elastic.");
     }
     wheel.lug_phase_deg += phase_deg;
     const WheelMesh wheel_mesh = make_wheel_mesh(wheel);

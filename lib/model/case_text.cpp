@@ -138,11 +138,12 @@ std::string read_text_file(const std::string& path, std::size_t largest) {
     std::ifstream file(path, std::ios::binary);
     if (!file) fail_io(fmt::format("the file cannot be opened ({}). Check its permissions?", std::strerror(errno)));
     const auto size = static_cast<std::size_t>(fs::file_size(path, error));  // one that grows meanwhile is cut off
-    if (!error && size > largest) {
+    if (error) fail_io(fmt::format("the size of the file cannot be read ({}). Check it?", error.message()));
+    if (size > largest) {
         fail_input(fmt::format("the file is larger than {} MiB{}. Is this the right file?", largest >> 20U,
                                largest == largest_case ? " (a case is a page)" : ""));
     }
-    std::string text(error ? 0 : size, '\0');
+    std::string text(size, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (file.bad()) fail_io("the file cannot be read to its end. Check the disk?");
     text.resize(static_cast<std::size_t>(file.gcount()));

@@ -257,10 +257,15 @@ Checkpoint decode_checkpoint(std::vector<std::byte> image, const std::string& pa
     checkpoint.c = read_stored_case(file, path);
     const auto read = [&](const char* name, auto& member) { read_member(file, path, name, member); };
     for_each_member(checkpoint.state, read);
-    if (H5Lexists(file, "soil_kind", H5P_DEFAULT) > 0) for_each_soil_member(checkpoint.state, read);
-    if (H5Lexists(file, "stress_block", H5P_DEFAULT) > 0) for_each_stress_member(checkpoint.state, read);
-    if (H5Lexists(file, "soil_mass_kg", H5P_DEFAULT) > 0) for_each_mass_member(checkpoint.state, read);
-    if (H5Lexists(file, "spent_steps", H5P_DEFAULT) > 0) for_each_cost(checkpoint.spent, read);
+    const auto has = [&](const char* name) {
+        const htri_t there = H5Lexists(file, name, H5P_DEFAULT);
+        hdf5::check(there, "read", path);
+        return there > 0;
+    };
+    if (has("soil_kind")) for_each_soil_member(checkpoint.state, read);
+    if (has("stress_block")) for_each_stress_member(checkpoint.state, read);
+    if (has("soil_mass_kg")) for_each_mass_member(checkpoint.state, read);
+    if (has("spent_steps")) for_each_cost(checkpoint.spent, read);
     return checkpoint;
 }
 

@@ -35,11 +35,9 @@ bool take(int descriptor, Busy busy) {
 DirectoryLock::DirectoryLock(const std::string& directory, Busy busy) : path_(directory + "/" + file_name) {
     while (true) {
         file_ = OpenFile(path_, O_RDWR | O_CREAT);
-        if (!take(file_.descriptor(), busy)) {
-            const std::string held = std::exchange(path_, {});
-            fail_input("'" + directory + "' is in use (another run holds '" + held +
+        if (!take(file_.descriptor(), busy))
+            fail_input("'" + directory + "' is in use (another run holds '" + path_ +
                        "'). Wait for it, stop it, or choose another directory?");
-        }
         if (is_named(file_.descriptor(), path_)) return;
     }
 }

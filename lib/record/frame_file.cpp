@@ -231,9 +231,14 @@ Frame read_one(const hdf5::File& file, const FrameInfo& info, std::uint64_t numb
     return frame;
 }
 
+/// 0 for an empty dataset, which has no place and to which nothing is ever written.
 std::uint64_t place_of(const hdf5::File& file, const char* name, const std::string& path) {
-    const haddr_t place = H5Dget_offset(open_dataset(file, name, path));
-    return place == HADDR_UNDEF ? 0 : place;  // undefined for an empty dataset, to which nothing is ever written
+    const hdf5::Dataset dataset = open_dataset(file, name, path);
+    const haddr_t place = H5Dget_offset(dataset);
+    if (place != HADDR_UNDEF) return place;
+    const auto extent = hdf5::extent_of(dataset, path);
+    if (std::ranges::find(extent, 0U) == extent.end()) hdf5::fail("find a column in", path);
+    return 0;
 }
 
 /// Columns of the layout that every frame has beside those of for_each_column.

@@ -34,7 +34,7 @@ class FrameSeal {
 public:
     FrameSeal() = default;
     /// Appends a seal to an HDF5 file without frames, or takes up the one of a file that verify_frame_file() has
-    /// found whole and unfinished. Throws Error(io).
+    /// found whole. Throws Error(io).
     static FrameSeal create(OpenFile& file, FrameLayout layout);
     static FrameSeal attach(const OpenFile& file, FrameLayout layout, std::uint64_t frames);
 

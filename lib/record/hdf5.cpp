@@ -78,6 +78,7 @@ std::string read_text_attribute(hid_t object, const char* name, const std::strin
     const Type type(H5Aget_type(attribute), "read", path);
     if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) fail("read", path);
     std::string text(H5Tget_size(type), '\0');
+    if (text.empty()) fail("read", path);
     check(H5Aread(attribute, type, text.data()), "read", path);
     text.resize(std::min(text.size(), text.find('\0')));
     return text;

@@ -8,6 +8,9 @@ namespace ifedem {
 
 // Biaxial and confined compression of a square of sand between smooth walls, without gravity.
 
+/// The shortest mean that a point of a test's curve is: with longer steps there would be none.
+inline constexpr double point_of_a_curve_s = 5e-3;
+
 /// Prepared as the bed is: with the friction of consolidation.
 struct SandCell {
     Sample sample;

@@ -13,7 +13,7 @@ struct MomentSum {
     double x_Nm = 0, y_Nm = 0, xy_Nm = 0;
 };
 
-/// Adds r F of a contact whose spring pushes a disc away along −normal, and drags it along the tangent.
+/// Adds the symmetric part of r F.
 void add_moment(MomentSum& s, Vec2 arm_m, Vec2 force_N) {
     s.x_Nm += arm_m.x * force_N.x, s.y_Nm += arm_m.y * force_N.y;
     s.xy_Nm += 0.5 * (arm_m.x * force_N.y + arm_m.y * force_N.x);

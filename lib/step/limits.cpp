@@ -144,7 +144,7 @@ void add_coupling_limits(const Scene& scene, std::vector<StepLimit>& limits) {
     limits.push_back(mode_limit("the smallest disc on a node of the tread", LimitGroup::coupling, LimitKind::certain,
                                 Integrator::symplectic_euler, std::sqrt(omega2), zeta));
     if (scene.stage != Stage::travel) return;
-    const double fastest = scene.c.travel.speed_m_s +
+    const double fastest = travel_speed_m_s(scene.c.travel) +
                            wheel.outer_radius_m * std::fabs(commanded_omega_rad_s(scene.c.travel, scene.c.wheel));
     const double passes = 2 * scene.dem.smallest_radius_m / fastest;
     limits.push_back({"the smallest disc going its diameter, through the tread unseen", LimitGroup::coupling,

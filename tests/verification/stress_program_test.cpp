@@ -166,6 +166,23 @@ TEST(StressProgram, a_resumed_run_writes_the_same_stress) {
     }
 }
 
+// run.csv says that a run is whole: it must not stand beside tables that are missing.
+TEST(StressProgram, a_run_whose_tables_cannot_be_written_is_not_finished) {
+    namespace fs = std::filesystem;
+    const SmallRun small;
+    ASSERT_EQ(small.run("a"), 0);
+    ASSERT_EQ(small.run("b", "--stop-at-step 13500"), 0);
+    const std::string in_the_way = small.scratch.file("b/contact_blocks.csv");
+    fs::create_directories(in_the_way + "/not-empty");
+    const std::string resume = "resume " + small.scratch.file("b") + " --stages " + small.scratch.file("stages");
+    EXPECT_EQ(run_program(resume), 4);
+    EXPECT_FALSE(fs::exists(small.scratch.file("b/run.csv")));
+    fs::remove_all(in_the_way);
+    EXPECT_EQ(run_program(resume), 0);
+    EXPECT_TRUE(fs::exists(small.scratch.file("b/run.csv")));
+    EXPECT_EQ(read_text(in_the_way), read_text(small.scratch.file("a/contact_blocks.csv")));
+}
+
 TEST(StressProgram, refuses_a_run_without_contact_stress) {
     const SmallRun small;
     ASSERT_EQ(small.run("a", "--set record.stress_segments=0"), 0);
