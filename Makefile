@@ -96,10 +96,10 @@ reproduce-chapter%: build ## simulate, check and report a chapter: reproduce-cha
 quick-chapter%: build ## the same machinery on short runs, under two minutes
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk quick
 
-sensitivity-chapter%: build ## what each choice that the text leaves open does to the results
+sensitivity-chapter%: build ## chapters 3, 4, 5: what each choice that the text leaves open does to the results
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk sensitivity
 
-doubt-chapter%: build ## what moves in a chapter's case with twice its size and fineness, or half its step
+doubt-chapter%: build ## chapters 3, 4, 5: what moves in the case with twice its size and fineness, or half its step
 	@$(MAKE) --no-print-directory -f reproductions/chapter$*/chapter.mk doubt
 
 SPEED = $(MAKE) --no-print-directory -f reproductions/speed_accuracy/speed.mk

@@ -595,5 +595,19 @@ TEST(CaseOverride, FaultsNameTheSetting) {
         std::string::npos);
 }
 
+// A case that is committed can be read where it stands, whatever its base is.
+TEST(CommittedCases, can_be_read) {
+    namespace fs = std::filesystem;
+    int read = 0;
+    for (const char* folder : {"reproductions", "reports", "tests"})
+        for (const fs::directory_entry& entry :
+             fs::recursive_directory_iterator(fs::path(IFEDEM_SOURCE_DIR) / folder)) {
+            if (entry.path().extension() != ".toml") continue;
+            EXPECT_NO_THROW((void)read_case(entry.path().string())) << entry.path();
+            ++read;
+        }
+    EXPECT_GE(read, 20);
+}
+
 }  // namespace
 }  // namespace ifedem
