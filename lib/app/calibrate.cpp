@@ -79,8 +79,9 @@ void refuse_what_cannot_be_tested(const CalibrateRequest& request, const std::ve
         if (const StepLimit* worst = find_worst(limits, v.c.time_step_s, Among::certain))
             fail_input(explain_excess(*worst, v.c.time_step_s));
         if (v.c.time_step_s > point_of_a_curve_s)
-            fail_input(fmt::format("{}: time_step_s = {:g} s is longer than a point of a test's curve ({:g} s). Lower it?",
-                                   request.case_path, v.c.time_step_s, point_of_a_curve_s));
+            fail_input(
+                fmt::format("{}: time_step_s = {:g} s is longer than a point of a test's curve ({:g} s). Lower it?",
+                            request.case_path, v.c.time_step_s, point_of_a_curve_s));
     }
 }
 

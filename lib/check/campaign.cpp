@@ -44,11 +44,10 @@ void read_measurements(const std::filesystem::path& directory, Campaign& campaig
         const std::size_t n = count_of(table, row, "n");
         if (n < 1)
             fail_input(fmt::format("{}:{}: n is below 1. Write the number of realisations.", table.path, row.line));
-        rows.push_back({row.cells[table.require("name")], cell_number(table, row, "value"),
-                        row.cells[table.require("units")],
-                        row.cells[table.require("scatter")].empty() ? 0 : cell_number(table, row, "scatter"),
-                        n, row.cells[table.require("note")],
-                        uncertainty ? parse_number(row.cells[*uncertainty]) : std::nullopt});
+        rows.push_back(
+            {row.cells[table.require("name")], cell_number(table, row, "value"), row.cells[table.require("units")],
+             row.cells[table.require("scatter")].empty() ? 0 : cell_number(table, row, "scatter"), n,
+             row.cells[table.require("note")], uncertainty ? parse_number(row.cells[*uncertainty]) : std::nullopt});
     }
     campaign.measurements.insert(campaign.measurements.end(), rows.begin(), rows.end());
 }
@@ -59,9 +58,9 @@ void read_doubts(const std::filesystem::path& directory, Campaign& campaign) {
         const auto text = [&](const char* column) { return row.cells[table.require(column)]; };
         const auto number = [&](const char* column) { return number_or_infinity(table, row, column); };
         campaign.doubts.push_back({text("variation"), text("changes"), text("quantity"), text("unit"),
-                                   count_of(table, row, "n"), number("difference"),
-                                   number("half_width"), number("tolerance"), text("verdict"),
-                                   cell_number(table, row, "relative_cost"), text("note")});
+                                   count_of(table, row, "n"), number("difference"), number("half_width"),
+                                   number("tolerance"), text("verdict"), cell_number(table, row, "relative_cost"),
+                                   text("note")});
     }
 }
 

@@ -141,7 +141,8 @@ std::size_t count_of(const CsvTable& table, const CsvRow& row, std::string_view 
     constexpr double most = 1e9;  // far from where a cast to std::size_t would not be defined
     const auto value = parse_number(cell);
     if (!value || !(*value >= 0 && *value <= most) || *value != std::floor(*value))
-        fail_input(fmt::format("{}:{}: {} = {} is no count. Write a whole number.", table.path, row.line, column, cell));
+        fail_input(
+            fmt::format("{}:{}: {} = {} is no count. Write a whole number.", table.path, row.line, column, cell));
     return static_cast<std::size_t>(*value);
 }
 

@@ -171,9 +171,8 @@ std::vector<Effect> read_effects(const std::string& path) {
         const auto text = [&](const char* column) { return row.cells[table.require(column)]; };
         const auto number = [&](const char* column) { return number_or_infinity(table, row, column); };
         effects.push_back({text("variant"), text("changes"), text("gravity"), number("load_N"), number("slip_percent"),
-                           count_of(table, row, "n"), text("metric"), number("default"),
-                           number("default_U"), number("value"), number("value_U"), number("effect"),
-                           number("half_width")});
+                           count_of(table, row, "n"), text("metric"), number("default"), number("default_U"),
+                           number("value"), number("value_U"), number("effect"), number("half_width")});
         if (find_metric(effects.back().metric) == nullptr)
             fail_input(fmt::format("{}:{}: metric '{}' is not known. Write the file anew with `ifedem effects`.", path,
                                    row.line, effects.back().metric));

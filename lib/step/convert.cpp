@@ -1,6 +1,7 @@
 #include "step/convert.hpp"
 
 #include "coupling/region.hpp"
+#include "dem/closed_pairs.hpp"
 
 namespace ifedem {
 namespace {
@@ -37,15 +38,12 @@ SoilStock take_stock(const Scene& scene, const State& state, const Workspace& wo
         s.kinetic_J += 0.5 * mass * (dot(v, v) + 0.5 * d.omega_rad_s * d.omega_rad_s * d.radius_m * d.radius_m);
         s.height_J -= mass * dot(g, {d.x_m, d.y_m});
     }
-    for (std::size_t n = 0; n < work.dem.i.size(); ++n) {
-        const Disc &a = disc[work.dem.i[n]], &b = disc[work.dem.j[n]];
-        const double overlap = a.radius_m + b.radius_m - norm({b.x_m - a.x_m, b.y_m - a.y_m});
-        const double spring = state.pairs.tangential_m[n];
+    for_each_closed_pair(disc, work.dem, [&](const ClosedPair& c) {
+        const double spring = state.pairs.tangential_m[c.number];
         const ContactConstants& k = scene.dem.soil;
-        if (overlap > 0)
-            s.elastic_J +=
-                0.5 * (k.normal_stiffness_N_m * overlap * overlap + k.tangential_stiffness_N_m * spring * spring);
-    }
+        s.elastic_J +=
+            0.5 * (k.normal_stiffness_N_m * c.overlap_m * c.overlap_m + k.tangential_stiffness_N_m * spring * spring);
+    });
     for (const SoilNode& n : work.soil.node) {
         const Vec2 v = state.soil.velocity_m_s[n.number];
         s.element_mass_kg += n.mass_kg;

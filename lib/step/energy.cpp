@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dem/closed_pairs.hpp"
 #include "dem/forces.hpp"
 #include "dem/neighbour_lists.hpp"
 #include "step/convert.hpp"
@@ -177,9 +178,9 @@ EnergyStore measure_energy(const Scene& scene, const State& state, const Workspa
         e.height_discs_J -= dot(scene.dem.gravity_m_s2, {d.x_m, d.y_m}) / d.inverse_mass_1_kg;
     }
     const auto& disc = state.discs.disc;
-    for (std::size_t n = 0; n < work.dem.i.size(); ++n)
-        e.springs_J += stored_in_contact(scene.dem.soil, pair_motion(disc[work.dem.i[n]], disc[work.dem.j[n]]).overlap,
-                                         state.pairs.tangential_m[n]);
+    for_each_closed_pair(disc, work.dem, [&](const ClosedPair& c) {
+        e.springs_J += stored_in_contact(scene.dem.soil, c.overlap_m, state.pairs.tangential_m[c.number]);
+    });
     for (std::size_t n = 0; n < work.dem.wall.size(); ++n) {
         const Disc& d = disc[work.dem.wall[n].position];
         const WallSide side = find_wall_side(scene.dem, work.dem.wall[n].wall, d);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/bitmath.hpp"
+#include "dem/closed_pairs.hpp"
 #include "dem/forces.hpp"
 
 namespace ifedem {
@@ -40,17 +41,12 @@ void add_surface_moments(const ContactConstants& k, const std::vector<SurfaceCon
 std::vector<DiscStress> measure_stress(const Scene& scene, const State& state, const Workspace& work) {
     const auto& disc = state.discs.disc;
     std::vector<MomentSum> sum(disc.size());
-    for (std::size_t n = 0; n < work.dem.i.size(); ++n) {
-        const std::uint32_t i = work.dem.i[n], j = work.dem.j[n];
-        const Vec2 between{disc[j].x_m - disc[i].x_m, disc[j].y_m - disc[i].y_m};
-        const double distance = norm(between), overlap = disc[i].radius_m + disc[j].radius_m - distance;
-        if (overlap <= 0) continue;
-        const Vec2 normal = (1.0 / distance) * between;
-        const Vec2 force = spring_force(scene.dem.soil, normal, overlap, state.pairs.tangential_m[n]);
-        const double arm_i = contact_arm_m(distance, disc[i].radius_m, disc[j].radius_m);
-        add_moment(sum[i], arm_i * normal, force);
-        add_moment(sum[j], (arm_i - distance) * normal, Vec2{} - force);
-    }
+    for_each_closed_pair(disc, work.dem, [&](const ClosedPair& c) {
+        const Vec2 force = spring_force(scene.dem.soil, c.normal, c.overlap_m, state.pairs.tangential_m[c.number]);
+        const double arm_i = contact_arm_m(c.distance_m, disc[c.i].radius_m, disc[c.j].radius_m);
+        add_moment(sum[c.i], arm_i * c.normal, force);
+        add_moment(sum[c.j], (arm_i - c.distance_m) * c.normal, Vec2{} - force);
+    });
     for (std::size_t n = 0; n < work.dem.wall.size(); ++n) {
         const Disc& d = disc[work.dem.wall[n].position];
         const WallSide side = find_wall_side(scene.dem, work.dem.wall[n].wall, d);
@@ -74,14 +70,11 @@ std::vector<DiscStress> measure_stress(const Scene& scene, const State& state, c
 DiscFields measure_fields(const Scene& scene, const State& state, const Workspace& work) {
     const auto& disc = state.discs.disc;
     std::vector<double> sum_Nm(disc.size(), 0.0);  // Σ arm · spring force over the contacts of a disc, N m
-    for (std::size_t n = 0; n < work.dem.i.size(); ++n) {
-        const Disc &a = disc[work.dem.i[n]], &b = disc[work.dem.j[n]];
-        const double distance = norm({b.x_m - a.x_m, b.y_m - a.y_m}), overlap = a.radius_m + b.radius_m - distance;
-        if (overlap <= 0) continue;
-        const double force = scene.dem.soil.normal_stiffness_N_m * overlap;
-        sum_Nm[work.dem.i[n]] += contact_arm_m(distance, a.radius_m, b.radius_m) * force;
-        sum_Nm[work.dem.j[n]] += contact_arm_m(distance, b.radius_m, a.radius_m) * force;
-    }
+    for_each_closed_pair(disc, work.dem, [&](const ClosedPair& c) {
+        const double force = scene.dem.soil.normal_stiffness_N_m * c.overlap_m;
+        sum_Nm[c.i] += contact_arm_m(c.distance_m, disc[c.i].radius_m, disc[c.j].radius_m) * force;
+        sum_Nm[c.j] += contact_arm_m(c.distance_m, disc[c.j].radius_m, disc[c.i].radius_m) * force;
+    });
     DiscFields fields;
     for (std::size_t p = 0; p < disc.size(); ++p) {
         const Disc& d = disc[p];

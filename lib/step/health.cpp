@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "dem/closed_pairs.hpp"
 #include "fem/corotation.hpp"
 
 namespace ifedem {
@@ -246,10 +247,7 @@ std::optional<Symptom> check_wheel(const Scene& scene, const State& state) {
 double count_contacts(const Scene& scene, const State& state, const Workspace& work) {
     const auto& disc = state.discs.disc;
     double contacts = 0;
-    for (std::size_t n = 0; n < work.dem.i.size(); ++n) {
-        const Disc &a = disc[work.dem.i[n]], &b = disc[work.dem.j[n]];
-        if (norm({b.x_m - a.x_m, b.y_m - a.y_m}) < a.radius_m + b.radius_m) contacts += 2;
-    }
+    for_each_closed_pair(disc, work.dem, [&](const ClosedPair&) { contacts += 2; });
     for (const WallCandidate& c : work.dem.wall) {
         const WallSide side = find_wall_side(scene.dem, c.wall, disc[c.position]);
         if (side.distance_m < disc[c.position].radius_m + side.opposite_radius_m) contacts += 1;
