@@ -65,9 +65,8 @@ void add_columns(Columns& columns, double begin_rad, double width_rad, std::int6
 Columns lay_out_columns(const WheelCase& w) {
     Columns columns;
     const double phase_rad = w.lug_phase_deg * (pi / 180.0);
-    const std::int64_t columns_a_pair = 2 + w.gap_columns + w.pitch_columns;
     if (w.lug_pairs == 0) {  // all alike
-        add_columns(columns, phase_rad, 2 * pi, w.smooth_columns > 0 ? w.smooth_columns : 12 * columns_a_pair, 0);
+        add_columns(columns, phase_rad, 2 * pi, smooth_tread_columns(w), 0);
         return columns;
     }
     const double lug_rad = w.lug_thickness_m / w.tread_radius_m;

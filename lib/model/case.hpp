@@ -205,6 +205,17 @@ struct Case {
     return c.bed.levelled_count > 0 ? c.bed.levelled_count : c.bed.disc_count;
 }
 
+/// From the hub to the tips of the lugs; half the length of a plate.
+[[nodiscard]] inline double outer_radius_m(const WheelCase& wheel) {
+    if (wheel.shape == WheelShape::plate) return 0.5 * wheel.plate_length_m;
+    return wheel.tread_radius_m + (wheel.lug_pairs > 0 ? wheel.lug_height_m : 0.0);
+}
+
+/// Columns of elements round a tread without lugs: as many as twelve pairs would have, unless given.
+[[nodiscard]] inline std::int64_t smooth_tread_columns(const WheelCase& wheel) {
+    return wheel.smooth_columns > 0 ? wheel.smooth_columns : 12 * (2 + wheel.gap_columns + wheel.pitch_columns);
+}
+
 /// V after acceleration.
 [[nodiscard]] inline double travel_speed_m_s(const TravelCase& travel) {
     return travel.speed_of == SpeedOf::tread ? (1.0 - travel.slip_percent / 100.0) * travel.speed_m_s

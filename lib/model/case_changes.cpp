@@ -20,15 +20,6 @@ void scale_discs(BedCase& bed, double factor) {
     bed.levelled_count = scale(bed.levelled_count, factor);
 }
 
-double outer_radius_m(const WheelCase& wheel) {
-    if (wheel.shape == WheelShape::plate) return 0.5 * wheel.plate_length_m;
-    return wheel.tread_radius_m + (wheel.lug_pairs > 0 ? wheel.lug_height_m : 0.0);
-}
-
-std::int64_t columns_of_smooth_tread(const WheelCase& wheel) {
-    return wheel.smooth_columns > 0 ? wheel.smooth_columns : 12 * (2 + wheel.gap_columns + wheel.pitch_columns);
-}
-
 /// The wheel's way and what is averaged over it begin elsewhere in the bin.
 void shift_start(Case& c, double by_m) {
     c.travel.start_x_m = in_tenths_mm(c.travel.start_x_m + by_m);
@@ -49,7 +40,7 @@ void cut_bed(Case& c, double by_m) {
 Case make_realisation(const Case& c, int k) {
     const double golden_section = 0.5 * (std::sqrt(5.0) - 1);
     const WheelCase& wheel = c.wheel;
-    const auto repeats = static_cast<double>(wheel.lug_pairs > 0 ? wheel.lug_pairs : columns_of_smooth_tread(wheel));
+    const auto repeats = static_cast<double>(wheel.lug_pairs > 0 ? wheel.lug_pairs : smooth_tread_columns(wheel));
     const double turns = (k - 1) * golden_section;
     Case realisation = c;
     realisation.bed.seed = k;
@@ -119,7 +110,7 @@ Case with_mesh(const Case& c, double factor) {
         wheel.surface_rings = scale_to_one(wheel.surface_rings, factor);
     }
     if (wheel.lug_pairs == 0) {
-        const std::int64_t columns = columns_of_smooth_tread(wheel);
+        const std::int64_t columns = smooth_tread_columns(wheel);
         const std::int64_t wanted = std::max(std::min(columns, least_columns), scale(columns, factor));
         if (wanted != columns) wheel.smooth_columns = wanted;
     } else {

@@ -103,8 +103,7 @@ void check_wheel(const WheelCase& wheel, Faults& faults) {
 }
 
 void check_travel(const Case& c, Faults& faults) {
-    const double round = c.wheel.tread_radius_m + (c.wheel.lug_pairs > 0 ? c.wheel.lug_height_m : 0.0);
-    const double radius = c.wheel.shape == WheelShape::plate ? 0.5 * c.wheel.plate_length_m : round;
+    const double radius = outer_radius_m(c.wheel);
     if (!(c.travel.start_x_m - radius >= 0)) {
         faults.push_back(
             {{"travel.start_x_m", "wheel.tread_radius_m", "wheel.lug_height_m"},
