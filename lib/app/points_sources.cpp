@@ -17,13 +17,6 @@ namespace {
 constexpr const char* normal_peak = "greatest_normal_stress_kPa";
 constexpr const char* tangential_peak = "greatest_tangential_stress_kPa";
 
-double number_of(const Run& run, const char* name) {
-    const auto value = parse_number(run.text(name));
-    if (!value)
-        fail_input(fmt::format("{}/run.csv: there is no number {} in it. Run the case anew.", run.directory, name));
-    return *value;
-}
-
 Values predict(const SoilParameters& soil, const Case& c) {
     const double slip = 0.01 * c.travel.slip_percent;
     const ParametricWheel wheel = wong_reece_wheel(c, soil);
@@ -62,9 +55,9 @@ ModelWithoutRuns semi_empirical_wheel(const std::string& soil_directory,
     double cpu_ns = 0;
     for (const std::string& directory : plate_directories) {
         const Run plate = read_run(directory);
-        const double steps = number_of(plate, "particles") * number_of(plate, "total_steps");
+        const double steps = plate.number("particles") * plate.number("total_steps");
         work.disc_steps += steps;
-        cpu_ns += steps * number_of(plate, "ns_per_particle_step");
+        cpu_ns += steps * plate.number("ns_per_particle_step");
     }
     work.ns_per_disc_step = work.disc_steps > 0 ? cpu_ns / work.disc_steps : 0;
     return {

@@ -72,28 +72,23 @@ void require_distinct_measurements(const Campaign& campaign) {
 }
 
 /// The case without what may differ between realisations, and without what does not change results.
-std::vector<std::string> comparable_lines(Case c) {
+Case without_realisation(Case c) {
     c.name.clear();
     c.bed.seed = 0;
     c.wheel.lug_phase_deg = 0;
     c.record = {};
-    auto lines = split(to_toml(c), '\n');
-    for (auto& line : lines) {
-        line.erase(std::min(line.find('#'), line.size()));
-        line.erase(line.find_last_not_of(' ') + 1);
-    }
-    return lines;
+    return c;
 }
 
 void require_same_physics(const MeasuredRun& a, const MeasuredRun& b) {
-    const auto left = comparable_lines(a.run.c);
-    const auto right = comparable_lines(b.run.c);
-    for (std::size_t k = 0; k < std::min(left.size(), right.size()); ++k)
-        if (left[k] != right[k])
-            fail_input(
-                fmt::format("{} and {} stand for one condition ({}) but differ: '{}' against '{}'. Give only runs "
-                            "that differ in seed or lug phase.",
-                            a.run.directory, b.run.directory, to_text(a.condition), left[k], right[k]));
+    const Case left = without_realisation(a.run.c), right = without_realisation(b.run.c);
+    const auto here = list_changes(right, left), there = list_changes(left, right);  // the same keys
+    if (here.empty()) return;
+    fail_input(
+        fmt::format("{} and {} stand for one condition ({}) but differ: {} = {} against {}. Give only runs that "
+                    "differ in seed or lug phase.",
+                    a.run.directory, b.run.directory, to_text(a.condition), here.front().key, here.front().value,
+                    there.front().value));
 }
 
 void require_realisations(const Campaign& campaign) {

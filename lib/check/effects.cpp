@@ -16,14 +16,6 @@ namespace {
 constexpr std::array<const char*, 4> judged{"gross_tractive_effort_N", "net_traction_N", "motion_resistance_N",
                                             "sinkage_cm"};
 
-bool is_partner(const MeasuredRun& candidate, const Run& variant) {
-    const Case& a = candidate.run.c;
-    const Case& b = variant.c;
-    return a.gravity_m_s2 == b.gravity_m_s2 && a.wheel.load_N == b.wheel.load_N &&
-           a.travel.slip_percent == b.travel.slip_percent && a.bed.seed == b.bed.seed &&
-           a.wheel.lug_phase_deg == b.wheel.lug_phase_deg;
-}
-
 /// Runs of one variant under one condition, each beside its partner.
 struct Pairs {
     Condition condition;
@@ -65,22 +57,6 @@ Effect summarise(const std::string& variant, const Pairs& pairs, const MetricInf
     return e;
 }
 
-/// Lines of a case with their table in front: "contact.damping_ratio = 0.2".
-std::vector<std::string> full_keys(const Case& c) {
-    std::vector<std::string> keys;
-    std::string table;
-    for (auto line : split(to_toml(c), '\n')) {
-        line.erase(std::min(line.find('#'), line.size()));
-        line.erase(line.find_last_not_of(' ') + 1);
-        if (line.starts_with('[')) {
-            table = line.substr(1, line.find(']') - 1) + ".";
-        } else if (!line.empty()) {
-            keys.push_back(table + line);
-        }
-    }
-    return keys;
-}
-
 /// A short label of changes: keys without their tables, each change once, no quotes.
 std::string shorten(const std::string& changes) {
     std::vector<std::string> parts;
@@ -106,14 +82,10 @@ std::string describe_changes(const Case& from, const Case& to) {
     like.wheel.load_N = from.wheel.load_N;
     like.gravity_m_s2 = from.gravity_m_s2;
     like.travel.slip_percent = from.travel.slip_percent;
-    const auto before = full_keys(from), after = full_keys(like);
+    const auto after = list_changes(from, like), before = list_changes(like, from);  // the same keys
     std::vector<std::string> changes;
-    for (std::size_t k = 0; k < std::min(before.size(), after.size()); ++k) {
-        if (before[k] == after[k]) continue;
-        const auto equals = before[k].find(" = ");
-        changes.push_back(fmt::format("{} {} → {}", before[k].substr(0, equals), before[k].substr(equals + 3),
-                                      after[k].substr(after[k].find(" = ") + 3)));
-    }
+    for (std::size_t k = 0; k < after.size(); ++k)
+        changes.push_back(fmt::format("{} {} → {}", after[k].key, before[k].value, after[k].value));
     return fmt::format("{}", fmt::join(changes, ", "));
 }
 
@@ -125,7 +97,7 @@ std::vector<Effect> measure_effects(const std::vector<std::string>& default_dirs
     for (const auto& directory : variant_dirs) {
         const Run run = read_run(directory);
         const auto partner = std::find_if(campaign.runs.begin(), campaign.runs.end(),
-                                          [&](const MeasuredRun& candidate) { return is_partner(candidate, run); });
+                                          [&](const MeasuredRun& m) { return is_same_realisation(m.run.c, run.c); });
         if (partner == campaign.runs.end())
             fail_input(
                 fmt::format("{}: no default run has its planet, load, slip, seed and lug phase. Run one.", directory));

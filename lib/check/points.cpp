@@ -43,20 +43,6 @@ struct Trial {
 
 using Trials = std::vector<Trial>;
 
-/// What tells realisations of one condition apart, and conditions from each other.
-bool is_same_realisation(const Case& a, const Case& b) {
-    return a.gravity_m_s2 == b.gravity_m_s2 && a.wheel.load_N == b.wheel.load_N &&
-           a.travel.slip_percent == b.travel.slip_percent && a.bed.seed == b.bed.seed &&
-           a.wheel.lug_phase_deg == b.wheel.lug_phase_deg;
-}
-
-double number_of(const Run& run, const char* name) {
-    const auto value = parse_number(run.text(name));
-    if (!value)
-        fail_input(fmt::format("{}/run.csv: there is no number {} in it. Run the case anew.", run.directory, name));
-    return *value;
-}
-
 Trial measure_trial(const Run& run, const Window& window, const std::string& variant) {
     Trial trial;
     trial.variant = trial.run_variant = variant;
@@ -64,8 +50,8 @@ Trial measure_trial(const Run& run, const Window& window, const std::string& var
     const RunMetrics metrics = measure(run, window);
     for (const Quantity& q : quantities)
         if (const MetricInfo* metric = find_metric(q.name)) trial.values.emplace(q.name, metrics.*(metric->member));
-    const double steps = number_of(run, "total_steps");
-    trial.work = {number_of(run, "particles") * steps, number_of(run, "ns_per_particle_step")};
+    const double steps = run.number("total_steps");
+    trial.work = {run.number("particles") * steps, run.number("ns_per_particle_step")};
     trial.simulated_s = steps * run.c.time_step_s;
     return trial;
 }

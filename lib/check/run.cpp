@@ -57,6 +57,19 @@ std::string Run::text(const std::string& value_name) const {
     return {};
 }
 
+double Run::number(const std::string& value_name) const {
+    const auto value = parse_number(text(value_name));
+    if (!value)
+        fail_input(fmt::format("{}/run.csv: there is no number {} in it. Run the case anew.", directory, value_name));
+    return *value;
+}
+
+bool is_same_realisation(const Case& a, const Case& b) {
+    return a.gravity_m_s2 == b.gravity_m_s2 && a.wheel.load_N == b.wheel.load_N &&
+           a.travel.slip_percent == b.travel.slip_percent && a.bed.seed == b.bed.seed &&
+           a.wheel.lug_phase_deg == b.wheel.lug_phase_deg;
+}
+
 Condition condition_of(const Case& c) {
     return {wheel_name(c.wheel), gravity_name(c.gravity_m_s2), c.wheel.load_N, c.travel.slip_percent};
 }

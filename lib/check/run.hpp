@@ -27,6 +27,8 @@ struct Run {
 
     /// A value of run.csv as text, "" if it is not there.
     [[nodiscard]] std::string text(const std::string& value_name) const;
+    /// The same as a number. Throws Error(bad_input) if it is none.
+    [[nodiscard]] double number(const std::string& value_name) const;
 };
 
 /// What a run stands for in a claim.
@@ -40,6 +42,9 @@ struct Condition {
 };
 
 [[nodiscard]] Condition condition_of(const Case& c);
+
+/// The same condition, packing and lug phase: what two runs of different variants must have to be compared as a pair.
+[[nodiscard]] bool is_same_realisation(const Case& a, const Case& b);
 
 /// "B3, Earth, 170 N, slip 60 %".
 [[nodiscard]] std::string to_text(const Condition& condition);
