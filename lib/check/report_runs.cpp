@@ -219,8 +219,8 @@ Section provenance_section(const Campaign& campaign, const std::string& command)
     Table t;
     t.caption = "Same command and same results version: same hash, on any machine and with any number of threads.";
     t.style = "wide";
-    t.header = {"Run",     "State hash", "Results version",          "Program", "Compiler", "Threads", "Steps",
-                "CPU [s]", "Wall [s]",   "ns per particle and step"};
+    t.header = {"Run",     "State hash", "Results version", "Program",  "Compiler",
+                "Threads", "Steps",      "CPU [s]",         "Wall [s]", "ns per particle and step"};
     for (const auto& run : campaign.runs) {
         const auto text = [&](const char* name) {
             return run.run.text(name).empty() ? std::string("–") : run.run.text(name);
