@@ -45,8 +45,8 @@ struct RunMetrics {
     double gross_tractive_effort_minimum_N = 0;  ///< ⟨T⟩/min r_e
     double net_traction_N = 0;                   ///< P_d = −⟨P⟩
     double motion_resistance_N = 0;              ///< R = P_d − H
-    double direct_thrust_N = 0;      ///< ⟨Σ F_x > 0⟩ over wheel segments (Eq 2.13)
-    double direct_resistance_N = 0;  ///< ⟨Σ F_x < 0⟩
+    double direct_thrust_N = 0;                  ///< ⟨Σ F_x > 0⟩ over wheel segments (Eq 2.13)
+    double direct_resistance_N = 0;              ///< ⟨Σ F_x < 0⟩
     double vertical_force_N = 0;
     double torque_Nm = 0;
     double sinkage_cm = 0;

@@ -19,10 +19,10 @@ struct Spent {
     double wall_s = 0;
 };
 
-/// Writes the whole state to `path`: HDF5, one dataset a member of for_each_member, with its units as an attribute where state_fields.hpp names fields, the
-/// case as text, what was spent; after the HDF5 data stands a checksum of the whole file. Equal states, cases and costs
-/// make equal bytes. The file is written under another name, flushed, read back and renamed: a reader sees the old file
-/// or the new one, never half. Throws Error(io).
+/// Writes the whole state to `path`: HDF5, one dataset a member of for_each_member, with its units as an attribute
+/// where state_fields.hpp names fields, the case as text, what was spent; after the HDF5 data stands a checksum of the
+/// whole file. Equal states, cases and costs make equal bytes. The file is written under another name, flushed, read
+/// back and renamed: a reader sees the old file or the new one, never half. Throws Error(io).
 void write_checkpoint(const std::string& path, const State& state, const Case& c, const Spent& spent = {});
 
 struct Checkpoint {
