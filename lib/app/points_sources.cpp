@@ -7,8 +7,6 @@
 #include "app/soil.hpp"
 #include "app/stress_files.hpp"
 #include "app/stress_run.hpp"
-#include "check/csv.hpp"
-#include "core/error.hpp"
 #include "traction/contact_stress_curve.hpp"
 
 namespace ifedem {

@@ -50,7 +50,7 @@ struct PairMotion {
     V nx, ny;  ///< unit normal from i to j
     V overlap;
     V minus_inverse;  ///< −1 / distance
-    V chord;          ///< × distance, squared, ≥ 0, until root_of_chord(); for Eq 2.18 only
+    V chord;          ///< chord × distance, ≥ 0; its square until root_of_chord(). For Eq 2.18 only
     V minus_lever;    ///< −distance / (r_i + r_j): the contact point divides the distance as the radii do
     V ux, uy;         ///< velocity of i relative to j
     V rim_speed;      ///< ω_i r_i + ω_j r_j

@@ -1,9 +1,9 @@
 #!/bin/sh
-# gains.sh OUT DEFAULT RUN...: how well the controllers follow their targets with gains × 0.1 and × 10, runs named LOOPTERMxFACTOR-…
+# gains.sh OUT DEFAULT RUN... (the default is named text-…): how well the controllers follow their targets with gains × 0.1 and × 10, runs named LOOPTERMxFACTOR-…
 # (drawbarP0.1-tyre-s22-r1), in the case's averaging window. Writes OUT/gains.csv (rms error of hub speed and of angular velocity over the
 # target, in percent) and OUT/measurements.csv: for each loop the greatest change by its I or D gains over the greatest by its P gains, as
 # |ln(error / default's error)| of its own quantity. Its uncertainty is what the other loop's gains do to that quantity, which they have
-# nothing to do with. Without a pair of each there is nothing to compare.
+# nothing to do with. Without the default or a pair of each there is nothing to compare.
 set -eu
 out=$1
 shift
@@ -24,8 +24,8 @@ rm "$out/rows"
 awk -F, '
     function size(a) { return a < 0 ? -a : a }
     BEGIN { print "name,value,units,scatter,n,note,uncertainty" }
-    FNR == 2 { speed = $2; turning = $3; next }
-    FNR > 2 && match($1, /^(drawbar|torque)[PID]/) {
+    $1 == "text" { speed = $2; turning = $3; next }
+    speed && match($1, /^(drawbar|torque)[PID]/) {
         loop = $1 ~ /^drawbar/ ? "drawbar" : "torque"; other = loop == "drawbar" ? "torque" : "drawbar"
         own = size(log(loop == "drawbar" ? $2 / speed : $3 / turning)); by_chance = size(log(loop == "drawbar" ? $3 / turning : $2 / speed))
         term = substr($1, RLENGTH, 1) == "P" ? "P" : "ID"; ++seen[loop, term]
