@@ -1,9 +1,9 @@
 #!/bin/sh
-# gains.sh OUT DEFAULT RUN... (the default is named text-…): how well the controllers follow their targets with gains × 0.1 and × 10, runs named LOOPTERMxFACTOR-…
-# (drawbarP0.1-tyre-s22-r1), in the case's averaging window. Writes OUT/gains.csv (rms error of hub speed and of angular velocity over the
-# target, in percent) and OUT/measurements.csv: for each loop the greatest change by its I or D gains over the greatest by its P gains, as
-# |ln(error / default's error)| of its own quantity. Its uncertainty is what the other loop's gains do to that quantity, which they have
-# nothing to do with. Without the default or a pair of each there is nothing to compare.
+# gains.sh OUT DEFAULT RUN...: how well the controllers follow their targets with gains × 0.1 and × 10; the default is named text-…, the runs
+# LOOPTERMxFACTOR-… (drawbarP0.1-tyre-s22-r1), each in the case's averaging window. Writes OUT/gains.csv (rms error of hub speed and of
+# angular velocity over the target, in percent) and OUT/measurements.csv: for each loop the greatest change by its I or D gains over the
+# greatest by its P gains, as |ln(error / default's error)| of its own quantity. Its uncertainty is what the other loop's gains do to that
+# quantity, which they have nothing to do with. Without the default or a pair of each there is nothing to compare.
 set -eu
 out=$1
 shift
