@@ -1,10 +1,9 @@
 #pragma once
+#include "core/force_inline.hpp"
 
 // A thin layer over the compilers' vector extensions: W doubles that behave like one. Only element-wise IEEE
-// operations, so the bits do not depend on W. Included by translation units built for different instruction sets:
-// everything is inlined by force, since a shared out-of-line copy could be taken from the unit with the newest
-// instructions.
-#define IFEDEM_INLINE [[gnu::always_inline]] inline
+// operations, so the bits do not depend on W.
+
 // How wide vectors are passed to functions is no matter where none is called.
 #pragma GCC diagnostic ignored "-Wpsabi"
 

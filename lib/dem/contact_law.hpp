@@ -1,5 +1,5 @@
 #pragma once
-#include "core/pack.hpp"
+#include "core/force_inline.hpp"
 
 namespace ifedem {
 

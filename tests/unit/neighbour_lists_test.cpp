@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "dem/pair_kernel.hpp"
 #include "dem/skins.hpp"
 #include "dem/vector_width.hpp"
 #include "support/dem_scenes.hpp"
@@ -182,12 +183,19 @@ INSTANTIATE_TEST_SUITE_P(RandomBeds, Forces,
                                          Bed{250, 0.75, 1.5, 16, Walls::flat}, Bed{60, 0.7, 0.8, 17, Walls::both},
                                          Bed{60, 0.7, 0.8, 18, Walls::flat, 0}));
 
+/// The kernel of a width; of one that this processor lacks, the same source in instructions that all have.
+PairKernel kernel_of(int width) {
+    if (width <= vector_width()) return choose_pair_kernel(width);
+    if (width == 4) return [](const ContactConstants& k, const PairBatch& batch) { add_pairs<4>(k, batch); };
+    return [](const ContactConstants& k, const PairBatch& batch) { add_pairs<8>(k, batch); };
+}
+
 /// A bed after many steps that run over `width` pairs at a time.
 World advance_with(int width, const Bed& bed, bool rolling_springs) {
     World w = make_bed(bed, 9.81);
     w.scene.dem.rolling_springs = rolling_springs, w.scene.dem.soil.rolling_cap = 0.1;
     w.work = make_workspace(w.scene, w.state);
-    w.work.dem.vector_width = width, w.work.dem.pair_kernel = choose_pair_kernel(width);
+    w.work.dem.vector_width = width, w.work.dem.pair_kernel = kernel_of(width);
     advance(w, 200);
     return w;
 }
@@ -197,7 +205,7 @@ TEST(Widths, give_the_bits_of_scalar_code_for_each_rolling_resistance) {
     std::set<std::uint64_t> different;
     for (const auto& [bed, springs] : {std::pair(rolling, false), {smooth, false}, {smooth, true}}) {
         const std::uint64_t scalar = hash_state(advance_with(1, bed, springs).state);
-        for (int width = 2; width <= vector_width(); width *= 2)
+        for (const int width : {2, 4, 8})
             EXPECT_EQ(hash_state(advance_with(width, bed, springs).state), scalar)
                 << width << " lanes, rolling " << bed.rolling_chords << ", springs " << springs;
         different.insert(scalar);
