@@ -229,7 +229,7 @@ void refuse_output(const FitRequest& request) {
     std::error_code ignored;
     if (fs::equivalent(request.output, request.case_path, ignored))
         fail_input(
-            fmt::format("-o {} is the case itself (it would be overwritten). Choose another -o.", request.output));
+            fmt::format("-o {} is the case itself (it would be overwritten). Choose another -o?", request.output));
 }
 
 }  // namespace

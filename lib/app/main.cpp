@@ -41,7 +41,7 @@ using namespace ifedem;
 Override to_override(const std::string& text) {
     const auto at = text.find('=');
     if (at == std::string::npos)
-        fail_input(fmt::format("--set {}: there is no '='. Write --set table.key=value.", text));
+        fail_input(fmt::format("--set {}: there is no '='. Write --set table.key=value?", text));
     return {text.substr(0, at), text.substr(at + 1)};
 }
 

@@ -158,7 +158,7 @@ bool accept_step(LiveRun& run, const Scene& scene, const HealthWatch& watch) {
 void refuse_unstable_case(const LiveRun& run) {
     if (run.request.unstable_step == UnstableStep::allow) return;
     if (const auto worst = find_certain_excess(run.c))
-        fail_input(explain_excess(*worst, run.c.time_step_s) + " --allow-unstable runs it all the same.");
+        fail_input(explain_excess(*worst, run.c.time_step_s) + " Run it all the same with --allow-unstable?");
 }
 
 /// How often a stage does what, in steps; 0: never.
@@ -407,10 +407,10 @@ void refuse_directory(const RunRequest& request) {
     if (is_unused(dir)) return;
     if (request.existing == Existing::refuse)
         fail_input(
-            fmt::format("{} exists already (a run would overwrite it). Choose another -o, or add --force.", dir));
+            fmt::format("{} exists already (a run would overwrite it). Choose another -o, or add --force?", dir));
     if (!fs::exists(fs::path(dir) / "case.toml"))
         fail_input(fmt::format(
-            "{} holds no run (it has no case.toml, so --force does not empty it). Choose another -o.", dir));
+            "{} holds no run (it has no case.toml, so --force does not empty it). Choose another -o?", dir));
 }
 
 /// Takes everything but the lock and the case out of a run's directory; the case is what marks it as one.
@@ -438,7 +438,7 @@ bool take_up(LiveRun& run) {
         if (checkpoint.results_version != results_version)
             fail_input(fmt::format(
                 "{} was written by results version {} (this program has {}; it would not give the same bits). "
-                "Run the case anew.",
+                "Run the case anew?",
                 checkpoint_path(run), checkpoint.results_version, results_version));
         run.c = checkpoint.c;
         run.state = std::move(checkpoint.state);

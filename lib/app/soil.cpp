@@ -25,9 +25,9 @@ struct PlateTest {
 PlateTest read_plate(const std::string& directory) {
     const Run run = read_run(directory);
     if (run.c.wheel.shape != WheelShape::plate)
-        fail_input(fmt::format("{} is no plate test (wheel.shape is not \"plate\"). Leave it out.", directory));
+        fail_input(fmt::format("{} is no plate test (wheel.shape is not \"plate\"). Leave it out?", directory));
     const auto sinkage = parse_number(run.text("sinkage_sinkage_m"));
-    if (!sinkage) fail_input(fmt::format("{}/run.csv tells no sinkage_sinkage_m. Run the case again.", directory));
+    if (!sinkage) fail_input(fmt::format("{}/run.csv tells no sinkage_sinkage_m. Run the case again?", directory));
     const double area = run.c.wheel.plate_length_m * run.c.wheel.width_m;
     PlateTest t{run.c.wheel.load_N / area, -*sinkage, {}};
     t.shear.normal_Pa = t.pressure_Pa;
@@ -96,7 +96,7 @@ SoilParameters read_soil(const std::string& directory) {
         for (const CsvRow& row : table.rows)
             if (row.cells[table.require("name")] == name)
                 if (const auto value = parse_number(row.cells[table.require("value")])) return *value;
-        fail_input(fmt::format("{} holds no number {}. Make it with `ifedem soil`.", table.path, name));
+        fail_input(fmt::format("{} holds no number {}. Make it with `ifedem soil`?", table.path, name));
     };
     return {{find(modulus_name), find(exponent_name)},
             {find(cohesion_name), find(friction_name), find(displacement_name)}};

@@ -85,7 +85,7 @@ std::string balance_table(const StressState& stress) {
 
 double number(const CsvTable& table, const CsvRow& row, const char* column) {
     const auto value = parse_number(row.cells[table.require(column)]);
-    if (!value) fail_input(fmt::format("{}:{}: {} is not a number. Run the case again.", table.path, row.line, column));
+    if (!value) fail_input(fmt::format("{}:{}: {} is not a number. Run the case again?", table.path, row.line, column));
     return *value;
 }
 
@@ -93,7 +93,7 @@ double number(const CsvTable& table, const CsvRow& row, const char* column) {
 std::size_t index(const CsvTable& table, const CsvRow& row, const char* column, std::size_t first, std::size_t end) {
     const double value = number(table, row, column);
     if (!(value >= static_cast<double>(first) && value < static_cast<double>(end) && value == std::floor(value)))
-        fail_input(fmt::format("{}:{}: {} = {} does not fit the case (it counts from {} to {}). Run it again.",
+        fail_input(fmt::format("{}:{}: {} = {} does not fit the case (it counts from {} to {}). Run it again?",
                                table.path, row.line, column, value, first, end - 1));
     return static_cast<std::size_t>(value) - first;
 }
@@ -112,7 +112,7 @@ StressState read_contact_stress(const std::string& directory, const Case& c) {
     if (!std::filesystem::exists(path))
         fail_input(
             fmt::format("{}: there is no contact_blocks.csv (the run averaged no contact forces, or did not "
-                        "reach the window). Set record.stress_segments and run the case.",
+                        "reach the window). Set record.stress_segments and run the case?",
                         directory));
     const CsvTable blocks = read_csv(path), balance = read_csv(directory + "/contact_balance.csv");
     StressState stress;

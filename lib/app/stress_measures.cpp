@@ -131,6 +131,10 @@ void measure_slip(const SlipGroup& g, Measures& m) {
     m.add_runs(
         g, "highest_behind_mm", "mm", [](const StressRun& r) { return 1e3 * r.surface.highest_behind_m; },
         "over the mean height ahead");
+    m.add_runs(
+        g, "surface_higher", "-",
+        [](const StressRun& r) { return r.surface.highest_behind_m / r.surface.highest_ahead_m; },
+        "highest column of the surface behind the tyre over that ahead of it, both over the mean height ahead");
 }
 
 void measure_trends(const std::vector<SlipGroup>& groups, Measures& m) {

@@ -71,7 +71,7 @@ StressRun analyse_run(const std::string& name, const Case& c, StressState stress
     StressRun r;
     r.name = name, r.c = c, r.surface = surface, r.values = std::move(values);
     const std::vector<MeanSegment> means = mean_segments(stress);
-    if (means.empty()) fail_input(fmt::format("{}: the hub never was in the averaging window. Travel further.", name));
+    if (means.empty()) fail_input(fmt::format("{}: the hub never was in the averaging window. Travel further?", name));
     const StressBlock b = sum_blocks(stress);
     const double time_s = b.steps * c.time_step_s, load = c.wheel.load_N;
     const double torque = b.torque_Nm / b.steps, radius = b.effective_radius_m / b.steps;

@@ -55,7 +55,8 @@ SurfaceMeasure measure_surface(const std::string& run_directory) {
     const Profile ahead = take_profile(last, hub + radius, c.bed.length_m - column, column);
     SurfaceMeasure m;
     m.rough_behind_m = roughness(behind), m.rough_ahead_m = roughness(ahead);
-    m.highest_behind_m = *std::max_element(behind.top_m.begin(), behind.top_m.end()) - mean(ahead.top_m);
+    m.highest_behind_m = std::ranges::max(behind.top_m) - mean(ahead.top_m);
+    m.highest_ahead_m = std::ranges::max(ahead.top_m) - mean(ahead.top_m);
     return m;
 }
 

@@ -25,7 +25,7 @@ Bounce find_bounce(std::span<const double> force_N, double interval_s) {
     const std::unique_ptr<gsl_fft_real_workspace, decltype(&gsl_fft_real_workspace_free)> space(
         gsl_fft_real_workspace_alloc(n), gsl_fft_real_workspace_free);
     if (!table || !space || gsl_fft_real_transform(line.data(), 1, n, table.get(), space.get()) != 0)
-        fail_io("a series could not be transformed (GSL found no memory). Free some and try again.");
+        fail_io("a series could not be transformed (GSL found no memory). Free some and try again?");
     Bounce strongest;
     for (std::size_t k = 1; 2 * k < n; ++k) {  // half-complex: the real and imaginary part of line k follow each other
         const double frequency = static_cast<double>(k) / (static_cast<double>(n) * interval_s);

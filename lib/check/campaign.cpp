@@ -18,7 +18,7 @@ namespace {
 
 double cell_number(const CsvTable& table, const CsvRow& row, const char* column) {
     const auto value = parse_number(row.cells[table.require(column)]);
-    if (!value) fail_input(fmt::format("{}:{}: {} is not a number. Write one.", table.path, row.line, column));
+    if (!value) fail_input(fmt::format("{}:{}: {} is not a number. Write one?", table.path, row.line, column));
     return *value;
 }
 
@@ -43,7 +43,7 @@ void read_measurements(const std::filesystem::path& directory, Campaign& campaig
     for (const auto& row : table.rows) {
         const std::size_t n = count_of(table, row, "n");
         if (n < 1)
-            fail_input(fmt::format("{}:{}: n is below 1. Write the number of realisations.", table.path, row.line));
+            fail_input(fmt::format("{}:{}: n is below 1. Write the number of realisations?", table.path, row.line));
         rows.push_back(
             {row.cells[table.require("name")], cell_number(table, row, "value"), row.cells[table.require("units")],
              row.cells[table.require("scatter")].empty() ? 0 : cell_number(table, row, "scatter"), n,
@@ -68,7 +68,7 @@ void require_distinct_measurements(const Campaign& campaign) {
     std::set<std::string> names;
     for (const auto& m : campaign.measurements)
         if (!names.insert(m.name).second)
-            fail_input(fmt::format("The measurement {} stands twice. Leave one directory or one line out.", m.name));
+            fail_input(fmt::format("The measurement {} stands twice. Leave one directory or one line out?", m.name));
 }
 
 /// The case without what may differ between realisations, and without what does not change results.
@@ -86,7 +86,7 @@ void require_same_physics(const MeasuredRun& a, const MeasuredRun& b) {
     if (here.empty()) return;
     fail_input(
         fmt::format("{} and {} stand for one condition ({}) but differ: {} = {} against {}. Give only runs that "
-                    "differ in seed or lug phase.",
+                    "differ in seed or lug phase?",
                     a.run.directory, b.run.directory, to_text(a.condition), here.front().key, here.front().value,
                     there.front().value));
 }
@@ -98,7 +98,7 @@ void require_realisations(const Campaign& campaign) {
             const auto& b = campaign.runs[k];
             require_same_physics(a, b);
             if (a.run.c.bed.seed == b.run.c.bed.seed && a.run.c.wheel.lug_phase_deg == b.run.c.wheel.lug_phase_deg)
-                fail_input(fmt::format("{} and {} are the same realisation (seed and lug phase agree). Leave one out.",
+                fail_input(fmt::format("{} and {} are the same realisation (seed and lug phase agree). Leave one out?",
                                        a.run.directory, b.run.directory));
         }
 }
@@ -133,7 +133,7 @@ void read_directory(const std::string& name, Campaign& campaign) {
     if (!is_run && !is_stiffness && !is_measured && !is_doubt)
         fail_input(
             fmt::format("{}: neither case.toml nor stiffness_summary.csv, measurements.csv or doubt.csv is there. Give "
-                        "run directories.",
+                        "run directories?",
                         name));
     if (is_doubt) read_doubts(directory, campaign);
     if (is_measured) read_measurements(directory, campaign);

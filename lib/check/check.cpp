@@ -30,7 +30,7 @@ std::string find_root(const std::string& path) {
         if (p == p.parent_path()) break;
     }
     fail_input(fmt::format(
-        "{}: no directory above holds reference_data/dissertation.csv. Use the claims of a checkout.", path));
+        "{}: no directory above holds reference_data/dissertation.csv. Use the claims of a checkout?", path));
 }
 
 std::vector<Claim> read_all_claims(const std::string& path, const Ledger& ledger) {
@@ -48,7 +48,7 @@ std::vector<Claim> read_all_claims(const std::string& path, const Ledger& ledger
     std::set<std::string> ids;
     for (const Claim& claim : claims)
         if (!ids.insert(claim.id).second)
-            fail_input(fmt::format("{}: {} is claimed here and in a folder beside it. Take one away.", path, claim.id));
+            fail_input(fmt::format("{}: {} is claimed here and in a folder beside it. Take one away?", path, claim.id));
     return claims;
 }
 
@@ -90,7 +90,7 @@ std::vector<Outcome> read_checks(const std::string& path, const std::vector<Clai
         const auto statement = ledger.find(o.claim.base_id());
         const auto verdict = parse_verdict(cell("verdict")), expected = parse_verdict(cell("expected"));
         if (statement == ledger.end() || !verdict || !expected)
-            fail_input(fmt::format("{}:{}: {} is no row of the ledger, or its verdict is none. Check the chapter anew.",
+            fail_input(fmt::format("{}:{}: {} is no row of the ledger, or its verdict is none. Check the chapter anew?",
                                    path, row.line, o.claim.id));
         o.ledger = statement->second;
         o.claim.expected = *expected;

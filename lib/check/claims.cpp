@@ -64,11 +64,11 @@ public:
         claim_.evidence = cell("evidence");
         claim_.note = cell("note");
         if (!ledger_.contains(claim_.base_id()))
-            fault(fmt::format("the id '{}' is not in the ledger. Use one of its ids.", claim_.id));
+            fault(fmt::format("the id '{}' is not in the ledger. Use one of its ids?", claim_.id));
         read_choices();
         read_selection();
         if (claim_.comparison == Comparison::none) {
-            if (claim_.note.empty()) fault("a row that is not computed needs its reason. Fill in the note.");
+            if (claim_.note.empty()) fault("a row that is not computed needs its reason. Fill in the note?");
         } else {
             read_computed();
         }
@@ -83,13 +83,13 @@ private:
     void read_choices() {
         const auto comparison = parse_comparison(cell("compare"));
         if (!comparison)
-            fault(fmt::format("compare '{}' is not known. Use one of {}.", cell("compare"), known_comparisons()));
+            fault(fmt::format("compare '{}' is not known. Use one of {}?", cell("compare"), known_comparisons()));
         claim_.comparison = comparison.value_or(Comparison::none);
         const auto expected = parse_verdict(cell("expected"));
         if (!expected)
             fault(fmt::format(
                 "expected verdict '{}' is not known. Use match, unresolved, differs-explained, not-reproduced or "
-                "not-computable.",
+                "not-computable?",
                 cell("expected")));
         claim_.expected = expected.value_or(Verdict::match);
     }
@@ -134,19 +134,19 @@ private:
         const bool needs_two =
             is_ratio || c == Comparison::exceeds || c == Comparison::same || c == Comparison::steeper;
         if (sides.size() > 2) {
-            fault("there are more than two sides. Write one '/' in a cell at most.");
+            fault("there are more than two sides. Write one '/' in a cell at most?");
         } else if (c == Comparison::not_cross) {
-            if (sides.size() != 2) fault("not-cross needs two sides. Write them as 170/50+70+100+130.");
+            if (sides.size() != 2) fault("not-cross needs two sides. Write them as 170/50+70+100+130?");
         } else if (needs_two && (sides.size() != 2 || sides[0].size() != sides[1].size())) {
             fault(fmt::format(
-                "{} needs two sides of equally many curves. Write them as B3/B6 or mars/earth and 64.4/170.",
+                "{} needs two sides of equally many curves. Write them as B3/B6 or mars/earth and 64.4/170?",
                 is_ratio ? "a " + claim_.metric : cell("compare")));
         } else if (!needs_two && sides.size() == 2) {
-            fault(fmt::format("{} looks at one side. Leave '/' out.", cell("compare")));
+            fault(fmt::format("{} looks at one side. Leave '/' out?", cell("compare")));
         } else if (!is_about_curves(c) && !sides.empty() && sides[0].size() != 1) {
-            fault(fmt::format("{} needs one wheel, planet and load. Leave '+' out.", cell("compare")));
+            fault(fmt::format("{} needs one wheel, planet and load. Leave '+' out?", cell("compare")));
         } else if (c == Comparison::cross && sides.size() == 1 && sides[0].size() < 2) {
-            fault("one curve cannot cross itself. List several loads or wheels with '+'.");
+            fault("one curve cannot cross itself. List several loads or wheels with '+'?");
         }
     }
 
@@ -155,14 +155,14 @@ private:
         const auto c = claim_.comparison;
         if (!is_about_curves(c)) return;
         if (c != Comparison::increasing && c != Comparison::decreasing && c != Comparison::linear)
-            fault(fmt::format("{} over slips cannot be judged by {}. Use increasing, decreasing or linear.",
+            fault(fmt::format("{} over slips cannot be judged by {}. Use increasing, decreasing or linear?",
                               claim_.metric, cell("compare")));
-        if (cell("slip_percent").empty()) fault("the slips are not selected. Write them in slip_percent, as 7.5..55.");
+        if (cell("slip_percent").empty()) fault("the slips are not selected. Write them in slip_percent, as 7.5..55?");
     }
 
     double number(const std::string& text, const char* what) {
         const auto value = parse_number(text);
-        if (!value) fault(fmt::format("{} '{}' is not a number. Write one.", what, text));
+        if (!value) fault(fmt::format("{} '{}' is not a number. Write one?", what, text));
         return value.value_or(0);
     }
 
@@ -170,21 +170,21 @@ private:
         if (!is_known_metric(claim_.metric))
             fault(
                 fmt::format("metric '{}' is not known. Use a column of runs.csv, ratio: or abs: of one, measured:NAME, "
-                            "gravity_ratio, stiffness_N_mm, elapsed_max_s or elapsed_max_h.",
+                            "gravity_ratio, stiffness_N_mm, elapsed_max_s or elapsed_max_h?",
                             claim_.metric));
         if (claim_.tolerance_origin.empty())
-            fault(fmt::format("the tolerance '{}' has no origin. Say in tolerance_origin where it comes from.",
+            fault(fmt::format("the tolerance '{}' has no origin. Say in tolerance_origin where it comes from?",
                               cell("tolerance")));
         const bool needs_runs = claim_.metric != "gravity_ratio" && claim_.metric != "stiffness_N_mm" &&
                                 !claim_.metric.starts_with("measured:");
         if (needs_runs && (claim_.selection.sides.empty() || cell("slip_percent").empty()))
-            fault("the runs are not selected. Fill in wheel, gravity, load_N and slip_percent.");
+            fault("the runs are not selected. Fill in wheel, gravity, load_N and slip_percent?");
         else if (needs_runs)
             check_sides();
         if (claim_.metric.starts_with("measured:"))
             check_measured_curve();
         else if (is_about_curves(claim_.comparison) && find_metric(without_prefix(claim_.metric)) == nullptr)
-            fault(fmt::format("{} has no curve over slip. Use a column of runs.csv.", claim_.metric));
+            fault(fmt::format("{} has no curve over slip. Use a column of runs.csv?", claim_.metric));
         read_window();
         read_units();
         if (cell("tolerance") != "U") claim_.tolerance = number(cell("tolerance"), "tolerance");
@@ -192,7 +192,7 @@ private:
         const bool needs_tolerance =
             c == Comparison::linear || c == Comparison::same || c == Comparison::cross || c == Comparison::not_cross;
         if (needs_tolerance && !claim_.tolerance)
-            fault(fmt::format("{} needs a number as tolerance. Write one with its origin.", cell("compare")));
+            fault(fmt::format("{} needs a number as tolerance. Write one with its origin?", cell("compare")));
         read_reference();
     }
 
@@ -202,7 +202,7 @@ private:
         const auto row = ledger_.find(claim_.base_id());
         if (!info || row == ledger_.end() || claim_.comparison != Comparison::equal) return;
         if (info->unit != row->second.units)
-            fault(fmt::format("{} is in {} but the ledger row in {}. Use a metric of that unit.", claim_.metric,
+            fault(fmt::format("{} is in {} but the ledger row in {}. Use a metric of that unit?", claim_.metric,
                               info->unit, row->second.units));
     }
 
@@ -211,7 +211,7 @@ private:
         const auto ends = split(claim_.window, '-');
         if (ends.size() != 2 || !parse_number(ends[0]) || !parse_number(ends[1]) ||
             *parse_number(ends[0]) >= *parse_number(ends[1]))
-            fault(fmt::format("window '{}' is not one. Write text, or centimetres of travel such as 40-80.",
+            fault(fmt::format("window '{}' is not one. Write text, or centimetres of travel such as 40-80?",
                               claim_.window));
     }
 
@@ -225,7 +225,7 @@ private:
         claim_.reference_id = text.empty() ? claim_.base_id() : text;
         const auto row = ledger_.find(claim_.reference_id);
         if (row == ledger_.end()) {
-            fault(fmt::format("reference '{}' is not in the ledger. Use one of its ids, or =NUMBER.",
+            fault(fmt::format("reference '{}' is not in the ledger. Use one of its ids, or =NUMBER?",
                               claim_.reference_id));
             return;
         }
@@ -233,7 +233,7 @@ private:
         const bool needs_number = claim_.comparison == Comparison::equal || claim_.comparison == Comparison::above ||
                                   claim_.comparison == Comparison::below || claim_.comparison == Comparison::at_most;
         if (needs_number && !claim_.reference)
-            fault(fmt::format("the ledger row {} holds no number to compare with. Name a reference.",
+            fault(fmt::format("the ledger row {} holds no number to compare with. Name a reference?",
                               claim_.reference_id));
     }
 

@@ -42,7 +42,7 @@ std::vector<std::string> take_record(const std::string& text, std::size_t& at, s
             cells.back() += c;
         }
     }
-    if (quoted) fail_input(fmt::format("{}:{}: a quote is opened and never closed. Close it.", path, first));
+    if (quoted) fail_input(fmt::format("{}:{}: a quote is opened and never closed. Close it?", path, first));
     return cells;
 }
 
@@ -56,7 +56,7 @@ std::optional<std::size_t> CsvTable::find(std::string_view column) const {
 
 std::size_t CsvTable::require(std::string_view column) const {
     const auto k = find(column);
-    if (!k) fail_input(fmt::format("{}:1: the column '{}' is missing. Add it to the header.", path, column));
+    if (!k) fail_input(fmt::format("{}:1: the column '{}' is missing. Add it to the header?", path, column));
     return *k;
 }
 
@@ -74,11 +74,11 @@ CsvTable parse_csv(const std::string& text, const std::string& path) {
             continue;
         }
         if (cells.size() != table.header.size())
-            fail_input(fmt::format("{}:{}: {} cells where the header has {}. Add or quote the missing ones.", path,
+            fail_input(fmt::format("{}:{}: {} cells where the header has {}. Add or quote the missing ones?", path,
                                    first, cells.size(), table.header.size()));
         table.rows.push_back({first, std::move(cells)});
     }
-    if (table.header.empty()) fail_input(fmt::format("{}:1: the file is empty. It needs a header line.", path));
+    if (table.header.empty()) fail_input(fmt::format("{}:1: the file is empty. Give it a header line?", path));
     return table;
 }
 
@@ -88,7 +88,7 @@ std::string read_text(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     if (!file || !(text << file.rdbuf()))
-        fail_io(fmt::format("Cannot read {} (missing, empty or not permitted). Check the path.", path));
+        fail_io(fmt::format("Cannot read {} (missing, empty or not permitted). Check the path?", path));
     return std::move(text).str();
 }
 
@@ -100,7 +100,7 @@ void write_text(const std::string& path, const std::string& text) {
     file << text;
     file.close();
     if (!file)
-        fail_io(fmt::format("Cannot write {} (no such directory, no space or not permitted). Check the path.", path));
+        fail_io(fmt::format("Cannot write {} (no such directory, no space or not permitted). Check the path?", path));
 }
 
 std::string csv_cell(std::string_view text) {
@@ -142,7 +142,7 @@ std::size_t count_of(const CsvTable& table, const CsvRow& row, std::string_view 
     const auto value = parse_number(cell);
     if (!value || !(*value >= 0 && *value <= most) || *value != std::floor(*value))
         fail_input(
-            fmt::format("{}:{}: {} = {} is no count. Write a whole number.", table.path, row.line, column, cell));
+            fmt::format("{}:{}: {} = {} is no count. Write a whole number?", table.path, row.line, column, cell));
     return static_cast<std::size_t>(*value);
 }
 

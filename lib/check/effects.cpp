@@ -100,7 +100,7 @@ std::vector<Effect> measure_effects(const std::vector<std::string>& default_dirs
                                           [&](const MeasuredRun& m) { return is_same_realisation(m.run.c, run.c); });
         if (partner == campaign.runs.end())
             fail_input(
-                fmt::format("{}: no default run has its planet, load, slip, seed and lug phase. Run one.", directory));
+                fmt::format("{}: no default run has its planet, load, slip, seed and lug phase. Run one?", directory));
         const std::string variant = variant_of(run);
         if (std::find(order.begin(), order.end(), variant) == order.end()) order.push_back(variant);
         Pairs& pairs = found[variant][partner->condition];
@@ -146,7 +146,7 @@ std::vector<Effect> read_effects(const std::string& path) {
                            count_of(table, row, "n"), text("metric"), number("default"), number("default_U"),
                            number("value"), number("value_U"), number("effect"), number("half_width")});
         if (find_metric(effects.back().metric) == nullptr)
-            fail_input(fmt::format("{}:{}: metric '{}' is not known. Write the file anew with `ifedem effects`.", path,
+            fail_input(fmt::format("{}:{}: metric '{}' is not known. Write the file anew with `ifedem effects`?", path,
                                    row.line, effects.back().metric));
     }
     return effects;

@@ -167,7 +167,7 @@ CurveName parse_curve(const std::string& text) {
     const auto slip = words.size() > 2 ? parse_number(words[2]) : std::optional<double>(0);
     if (!load || !slip)
         fail_input(fmt::format(
-            "figures.csv: '{}' is not a curve. Write it as 'earth 170', 'B6 earth 170' or 'earth 170 60'.", text));
+            "figures.csv: '{}' is not a curve. Write it as 'earth 170', 'B6 earth 170' or 'earth 170 60'?", text));
     name.curve.gravity = words[0];
     name.curve.load_N = *load;
     name.slip_percent = *slip;
@@ -179,7 +179,7 @@ std::string to_word(const Curve& curve) { return fmt::format("{}-{}-{:g}", curve
 std::optional<std::string> slip_data(const Campaign& campaign, const std::vector<Outcome>& outcomes,
                                      const std::string& metric, const std::vector<CurveName>& curves, SlipAxis axis) {
     const auto* info = find_metric(metric);
-    if (!info) fail_input(fmt::format("figures.csv: the metric '{}' is not known. Use a column of runs.csv.", metric));
+    if (!info) fail_input(fmt::format("figures.csv: the metric '{}' is not known. Use a column of runs.csv?", metric));
     std::string lines;
     for (const auto& name : curves) lines += curve_lines(campaign, name.curve, *info, axis);
     if (lines.empty()) return std::nullopt;

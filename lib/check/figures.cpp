@@ -122,7 +122,7 @@ std::optional<std::string> line_data(const FigureRow& row, const Campaign& campa
     if (row.data != "series")
         fail_input(fmt::format(
             "figures.csv: data '{}' of {} is not known. Use slip, measured-slip, series, snapshot, stiffness, effects, "
-            "file or agreement.",
+            "file or agreement?",
             row.data, row.name));
     const auto* run = find_run(campaign, parse_curve(row.series));
     if (!run) return std::nullopt;

@@ -34,7 +34,7 @@ PolynomialFit fit_polynomial(std::span<const double> x, std::span<const double> 
     const std::size_t n = x.size();
     const std::size_t terms = degree + 1;
     if (n < terms + 1 || y.size() != n || weights.size() != n)
-        fail_input("Too few points for a fit (it needs one more than it has coefficients). Run more slips.");
+        fail_input("Too few points for a fit (it needs one more than it has coefficients). Run more slips?");
     gsl_set_error_handler_off();
     const Matrix design(gsl_matrix_alloc(n, terms));
     const Matrix covariance(gsl_matrix_alloc(terms, terms));
@@ -52,7 +52,7 @@ PolynomialFit fit_polynomial(std::span<const double> x, std::span<const double> 
     const int status = gsl_multifit_wlinear(design.get(), weight.get(), values.get(), solution.get(), covariance.get(),
                                             &fit.chi_squared, workspace.get());
     if (status != GSL_SUCCESS)
-        fail_input("A polynomial fit failed (the points may coincide). Check the slips of the runs.");
+        fail_input("A polynomial fit failed (the points may coincide). Check the slips of the runs?");
     fit.degrees_of_freedom = static_cast<double>(n - terms);
     const double scale = fit.chi_squared / fit.degrees_of_freedom;
     for (std::size_t k = 0; k < terms; ++k) {

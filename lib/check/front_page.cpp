@@ -22,7 +22,7 @@ int chapter_of(const std::string& directory) {
     if (!number)
         fail_input(
             fmt::format("{}: no report of a chapter (its name is not chapterN). Give directories such as "
-                        "reports/chapter3.",
+                        "reports/chapter3?",
                         directory));
     return static_cast<int>(*number);
 }
@@ -88,12 +88,12 @@ std::vector<std::string> parse_ids(const std::string& text, const Ledger& ledger
         const std::string last = dots == std::string::npos ? first : part.substr(dots + 2);
         for (const std::string& end : {first, last})
             if (const auto row = ledger.find(end); row == ledger.end() || !row->second.needs_verdict())
-                fail_input(fmt::format("{}: {} is no statement of the ledger. Use ids, and ranges such as D076..D078.",
+                fail_input(fmt::format("{}: {} is no statement of the ledger. Use ids, and ranges such as D076..D078?",
                                        where, end));
         for (auto row = ledger.find(first); row != ledger.end() && row->first <= last; ++row)
             if (row->second.needs_verdict()) ids.push_back(row->first);
     }
-    if (ids.empty()) fail_input(fmt::format("{}: no statement is named. Name at least one.", where));
+    if (ids.empty()) fail_input(fmt::format("{}: no statement is named. Name at least one?", where));
     return ids;
 }
 

@@ -20,9 +20,9 @@ void run_gnuplot(const std::string& script, const std::vector<std::pair<std::str
     std::error_code ignored;
     std::filesystem::remove(output, ignored);
     const int status = execute_gnuplot({"-e", settings, script});
-    if (status == 127) fail_io("Cannot start gnuplot (not installed?). Install the package gnuplot-nox.");
+    if (status == 127) fail_io("Cannot start gnuplot (not installed?). Install the package gnuplot-nox?");
     if (status != 0 || !std::filesystem::exists(output))
-        fail_io(fmt::format("gnuplot failed on {} (status {}). Read its message above.", script, status));
+        fail_io(fmt::format("gnuplot failed on {} (status {}). Read its message above?", script, status));
 }
 
 }  // namespace ifedem

@@ -37,7 +37,7 @@ void add_rows(const std::string& path, Ledger& ledger) {
                         row.cells[kind]};
         if (!ledger.emplace(row.cells[id], std::move(entry)).second)
             fail_input(
-                fmt::format("{}:{}: the id {} stands twice. Give each row its own.", path, row.line, row.cells[id]));
+                fmt::format("{}:{}: the id {} stands twice. Give each row its own?", path, row.line, row.cells[id]));
     }
 }
 

@@ -22,7 +22,7 @@ const std::vector<double>& column(const Run& run, const std::string& name) {
     const auto found = run.travel.find(name);
     if (found == run.travel.end() || found->second.size() < 2)
         fail_input(
-            fmt::format("{}/series.csv: column {} holds no travel (the run did not reach it). Run or resume the case.",
+            fmt::format("{}/series.csv: column {} holds no travel (the run did not reach it). Run or resume the case?",
                         run.directory, name));
     return found->second;
 }
@@ -79,7 +79,7 @@ Window trim(const Window& window, double pitch_m) {
     // A hair of slack, so that a window of exactly n pitches keeps them all in spite of rounding.
     const double pitches = std::floor((window.to_m - window.from_m) / pitch_m * (1 + 1e-12));
     if (!(pitches >= 1))
-        fail_input(fmt::format("Not one lug-pair pitch ({:.3g} m) fits the window {:g}–{:g} m. Widen the window.",
+        fail_input(fmt::format("Not one lug-pair pitch ({:.3g} m) fits the window {:g}–{:g} m. Widen the window?",
                                pitch_m, window.from_m, window.to_m));
     return {window.to_m - pitches * pitch_m, window.to_m};
 }
@@ -166,7 +166,7 @@ RunMetrics measure(const Run& run, const Window& window) {
     const double reached = *std::max_element(x.begin(), x.end()) - x.front();
     if (reached < window.to_m - end_slack_m)
         fail_input(
-            fmt::format("{}: the wheel travelled {:.3f} m of the {:.2f} m that the window needs. Resume or rerun it.",
+            fmt::format("{}: the wheel travelled {:.3f} m of the {:.2f} m that the window needs. Resume or rerun it?",
                         run.directory, reached, window.to_m));
     RunMetrics m;
     m.window = {window.from_m, std::min(window.to_m, reached)};

@@ -127,7 +127,7 @@ const Trial& find_partner(const Trials& trials, const std::string& variant, cons
     if (found == trials.end())
         fail_input(
             fmt::format("'{}' at slip {:g} %, seed {}: there is no finished run of variant '{}' with the same "
-                        "planet, load, slip, seed and lug phase. Run it.",
+                        "planet, load, slip, seed and lug phase. Run it?",
                         of.variant, of.c.travel.slip_percent, of.c.bed.seed, variant));
     return *found;
 }
@@ -155,7 +155,7 @@ struct References {
                 continue;
             const auto found = ledger->find(text("id"));
             if (found == ledger->end() || !found->second.number())
-                fail_input(fmt::format("{}:{}: {} is no number of the ledger. Correct the id.", table.path, row.line,
+                fail_input(fmt::format("{}:{}: {} is no number of the ledger. Correct the id?", table.path, row.line,
                                        text("id")));
             return &found->second;
         }
@@ -164,7 +164,7 @@ struct References {
     [[nodiscard]] const LedgerRow& require(const std::string& quantity, const Condition& condition) const {
         const LedgerRow* row = find(quantity, condition);
         if (row == nullptr)
-            fail_input(fmt::format("{}: no line for {} ({}). Add one.", table.path, quantity, to_text(condition)));
+            fail_input(fmt::format("{}: no line for {} ({}). Add one?", table.path, quantity, to_text(condition)));
         return *row;
     }
 };

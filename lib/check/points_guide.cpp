@@ -45,7 +45,7 @@ std::string condition_of_row(const CsvTable& t, const CsvRow& row) {
 std::string symbol_of_row(const CsvTable& t, const CsvRow& row) {
     const auto quantity = std::ranges::find(point_quantities(), cell(t, row, "quantity"), &Quantity::name);
     if (quantity == point_quantities().end())
-        fail_input(fmt::format("{}:{}: {} is no quantity of a point. Make it anew.", t.path, row.line,
+        fail_input(fmt::format("{}:{}: {} is no quantity of a point. Make it anew?", t.path, row.line,
                                cell(t, row, "quantity")));
     return fmt::format("{} [{}]", quantity->symbol, quantity->unit);
 }

@@ -40,7 +40,7 @@ Series read_travel(const std::string& path) {
             if (row.cells[stage] != "travel") continue;
             const auto value = parse_number(row.cells[k]);
             if (!value)
-                fail_input(fmt::format("{}:{}: '{}' in column {} is not a number. Run the case again with --force.",
+                fail_input(fmt::format("{}:{}: '{}' in column {} is not a number. Run the case again with --force?",
                                        path, row.line, row.cells[k], table.header[k]));
             column.push_back(*value);
         }
@@ -60,7 +60,7 @@ std::string Run::text(const std::string& value_name) const {
 double Run::number(const std::string& value_name) const {
     const auto value = parse_number(text(value_name));
     if (!value)
-        fail_input(fmt::format("{}/run.csv: there is no number {} in it. Run the case anew.", directory, value_name));
+        fail_input(fmt::format("{}/run.csv: there is no number {} in it. Run the case anew?", directory, value_name));
     return *value;
 }
 

@@ -19,7 +19,7 @@ constexpr double two_sided_95 = 0.975;
 }  // namespace
 
 double mean(std::span<const double> values) {
-    if (values.empty()) fail_input("The mean of no values was asked for. Check that the window holds samples.");
+    if (values.empty()) fail_input("The mean of no values was asked for. Check that the window holds samples?");
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
@@ -35,7 +35,7 @@ double student_t_quantile(double probability, double degrees_of_freedom) {
     gsl_set_error_handler_off();
     const double t = gsl_cdf_tdist_Pinv(probability, degrees_of_freedom);
     if (!std::isfinite(t))
-        fail_input("Student's t has no such quantile. Give 0 < probability < 1 and at least 1 degree of freedom.");
+        fail_input("Student's t has no such quantile. Give 0 < probability < 1 and at least 1 degree of freedom?");
     return t;
 }
 
@@ -96,7 +96,7 @@ std::vector<double> count_inversions(std::size_t n) {
 
 KendallResult kendall(std::span<const double> x, std::span<const double> y) {
     if (x.size() != y.size() || x.size() < 2)
-        fail_input("Kendall's tau needs two lists of one length (at least 2). Check the points of the trend.");
+        fail_input("Kendall's tau needs two lists of one length (at least 2). Check the points of the trend?");
     const std::size_t n = x.size();
     double score = 0;
     for (std::size_t i = 0; i < n; ++i)
@@ -142,7 +142,7 @@ PairedDifference paired_difference(std::span<const double> a, std::span<const do
     if (a.size() != b.size() || a.empty())
         fail_input(
             "A paired difference needs the same realisations on both sides. Run both variants with the same seeds and "
-            "phases.");
+            "phases?");
     std::vector<double> d(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) d[i] = b[i] - a[i];
     PairedDifference result{mean(d), infinity, d.size()};

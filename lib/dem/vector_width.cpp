@@ -34,7 +34,7 @@ int vector_width() {
         if (std::to_string(width) == asked && has_width(width)) return width;
     fail_input(
         fmt::format("IFEDEM_VECTOR_WIDTH={}: not a width of this processor (1, 2, and 4 with AVX2, 8 with "
-                    "AVX-512). Unset it to take the widest.",
+                    "AVX-512). Unset it to take the widest?",
                     asked));
 }
 

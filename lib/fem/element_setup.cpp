@@ -75,7 +75,7 @@ void check_material(const Material& m, Part part, PlaneState plane) {
     if (m.young_Pa > 0 && m.density_kg_m3 > 0 && m.damping_1_s >= 0 && m.poisson > -1 && m.poisson < limit) return;
     fail_input(
         fmt::format("the material of part '{}' is impossible (E = {} Pa, ν = {}, ρ = {} kg/m³, c = {} 1/s). Give E "
-                    "and ρ above 0, c not below 0 and ν between -1 and {}.",
+                    "and ρ above 0, c not below 0 and ν between -1 and {}?",
                     part_name(part), m.young_Pa, m.poisson, m.density_kg_m3, m.damping_1_s, limit));
 }
 
@@ -86,7 +86,7 @@ Element make_element(const Mesh& mesh, std::size_t index, const Elasticity& elas
     if (!(smallest_corner_jacobian_m2(p) > 0)) {
         fail_input(
             fmt::format("element {} has a corner with a non-positive Jacobian (nodes clockwise, or the quad is not "
-                        "convex). Order its nodes counter-clockwise or change the mesh.",
+                        "convex). Order its nodes counter-clockwise or change the mesh?",
                         index));
     }
     const Vec2 mean = 0.25 * ((p[0] + p[1]) + (p[2] + p[3]));
@@ -106,7 +106,7 @@ ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& materi
 ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material,
                          const std::array<double, 4>& thickness_m, PlaneState plane) {
     for (const double t : thickness_m)
-        if (!(t > 0)) fail_input(fmt::format("the thickness of the elements is {} m. Give wheel.width_m above 0.", t));
+        if (!(t > 0)) fail_input(fmt::format("the thickness of the elements is {} m. Give wheel.width_m above 0?", t));
     ElementSet set;
     set.mass_kg.assign(mesh.node_m.size(), 0.0);
     set.damping_kg_s.assign(mesh.node_m.size(), 0.0);

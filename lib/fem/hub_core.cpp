@@ -119,7 +119,7 @@ std::uint32_t add_hub_core(Mesh& mesh, const std::vector<double>& angle_rad, dou
     if (n % 4 != 0 || n < 8) {
         fail_input(
             fmt::format("an elastic rim cannot be meshed with {} columns (a block of quads with a centre node needs "
-                        "a multiple of 4, at least 8). Change wheel.gap_columns, pitch_columns or lug_pairs.",
+                        "a multiple of 4, at least 8). Change wheel.gap_columns, pitch_columns or lug_pairs?",
                         n));
     }
     const double thick_as_wide = 1 - 2 * pi * static_cast<double>(rings) / n;  // share of the radius left to the block

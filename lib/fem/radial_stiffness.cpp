@@ -25,7 +25,7 @@ void hold(Supports& supports, std::uint32_t node) { supports.held[2 * node] = su
 Press set_up(WheelCase wheel, double phase_deg, PlaneFriction friction) {
     if (wheel.body == WheelBody::rigid || wheel.shape == WheelShape::plate) {
         fail_input(
-            "a rigid wheel has no radial stiffness (nothing in it deforms). Set wheel.body to rigid-rim or elastic.");
+            "a rigid wheel has no radial stiffness (nothing in it deforms). Set wheel.body to rigid-rim or elastic?");
     }
     wheel.lug_phase_deg += phase_deg;
     const WheelMesh wheel_mesh = make_wheel_mesh(wheel);
@@ -62,7 +62,7 @@ void press_to(Press& press, double deflection_m) {
         } else if ((increment = 0.5 * std::min(increment, left)) < smallest_m) {
             fail_input(
                 fmt::format("the wheel has no equilibrium at a deflection of {:.4g} m on a rigid plane (its layers "
-                            "buckle or turn inside out). Stiffen the layers or press less.",
+                            "buckle or turn inside out). Stiffen the layers or press less?",
                             next));
         }
     }
@@ -111,7 +111,7 @@ std::vector<LoadDeflection> press_on_plane(const WheelCase& wheel, std::span<con
         if (!(deflection >= press.deflection_m)) {
             fail_input(
                 fmt::format("the deflections of a press test decrease at {} m (a wheel is pressed, not released). "
-                            "Sort them.",
+                            "Sort them?",
                             deflection));
         }
         press_to(press, deflection);
@@ -129,7 +129,7 @@ RadialStiffness find_radial_stiffness(const WheelCase& wheel, double load_N, std
     if (!(load_N > 0) || phases < 1) {
         fail_input(
             fmt::format("a radial stiffness at {} N over {} phases cannot be had (W/δ needs a load). Give a load "
-                        "above 0 and at least one phase.",
+                        "above 0 and at least one phase?",
                         load_N, phases));
     }
     const double pitch_deg = lug_pitch_deg(wheel);

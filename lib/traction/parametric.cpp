@@ -71,7 +71,7 @@ void check(const StressField& field, const ContactArc& arc) {
     if (arc.width_m > 0 && arc.radius_m > 0 && field.exit_rad > field.entry_rad) return;
     fail_input(
         fmt::format("there is no contact to integrate over (from {:.4g} to {:.4g} rad, width {} m, radius {} m). "
-                    "Give an exit beyond the entry, width and radius above 0.",
+                    "Give an exit beyond the entry, width and radius above 0?",
                     field.entry_rad, field.exit_rad, arc.width_m, arc.radius_m));
 }
 
@@ -110,11 +110,11 @@ TractiveIntegrals integrate_stress(const StressField& field, const ContactArc& a
 std::function<double(double)> make_spline(std::span<const double> x, std::span<const double> y) {
     if (x.size() < 3 || x.size() != y.size())
         fail_input(
-            fmt::format("a spline needs three points or more (there are {}). Average over a longer window.", x.size()));
+            fmt::format("a spline needs three points or more (there are {}). Average over a longer window?", x.size()));
     gsl_set_error_handler_off();
     const std::shared_ptr<gsl_spline> spline(gsl_spline_alloc(gsl_interp_cspline, x.size()), gsl_spline_free);
     if (gsl_spline_init(spline.get(), x.data(), y.data(), x.size()) != 0)
-        fail_input("the points of a spline do not ascend. Sort them.");
+        fail_input("the points of a spline do not ascend. Sort them?");
     return [spline, from = x.front(), to = x.back()](double at) {
         return at < from || at > to ? 0.0 : gsl_spline_eval(spline.get(), at, nullptr);
     };

@@ -36,10 +36,10 @@ PressureSinkage fit_pressure_sinkage(std::span<const double> sinkage_m, std::spa
         !std::all_of(pressure_Pa.begin(), pressure_Pa.end(), positive))
         fail_input(
             fmt::format("p = k zⁿ needs two or more sinkages and pressures above 0 (there are {}). Press the "
-                        "plate with more loads.",
+                        "plate with more loads?",
                         sinkage_m.size()));
     if (are_all_equal(sinkage_m))
-        fail_input(fmt::format("p = k zⁿ needs sinkages that differ (all are {} m). Press the plate with other loads.",
+        fail_input(fmt::format("p = k zⁿ needs sinkages that differ (all are {} m). Press the plate with other loads?",
                                sinkage_m.front()));
     std::vector<double> x, y;
     for (std::size_t k = 0; k < sinkage_m.size(); ++k)
@@ -52,7 +52,7 @@ ShearCurve read_shear_curve(const ShearTest& test) {
     const auto& j = test.displacement_m;
     const auto& t = test.shear_Pa;
     if (j.size() < 4 || j.size() != t.size() || !(j.back() > j.front()))
-        fail_input("a shear test needs four points or more with growing displacement. Drag the plate further.");
+        fail_input("a shear test needs four points or more with growing displacement. Drag the plate further?");
     const double middle = j.front() + 0.5 * (j.back() - j.front());
     const auto integrate = [&](bool late, auto&& f) {
         double sum = 0;
@@ -71,7 +71,7 @@ ShearStrength fit_shear_strength(std::span<const ShearTest> tests) {
     if (tests.size() < 2)
         fail_input(
             fmt::format("c and tan φ need two shear tests or more (there are {}). Drag the plate under more "
-                        "loads.",
+                        "loads?",
                         tests.size()));
     std::vector<double> sigma, tau;
     ShearStrength s;
@@ -83,7 +83,7 @@ ShearStrength fit_shear_strength(std::span<const ShearTest> tests) {
     if (are_all_equal(sigma))
         fail_input(
             fmt::format("c and tan φ need shear tests under pressures that differ (all are {} Pa). Drag the plate "
-                        "under other loads.",
+                        "under other loads?",
                         sigma.front()));
     const Line line = fit_line(sigma, tau);
     s.cohesion_Pa = line.c0, s.friction = line.c1;

@@ -38,7 +38,7 @@ void check(const ParametricWheel& w, double slip) {
     if (w.pressure.modulus_Pa_mn > 0 && w.pressure.exponent > 0 && w.rear_rad <= 0 && share > 0 && share < 1) return;
     fail_input(
         fmt::format("the wheel has no pressure to work with (k = {:.4g}, n = {:.4g}, θ_2 = {:.4g} rad, θ_m/θ_1 = "
-                    "{:.4g}). Give k and n above 0, θ_2 not above 0, and c1 + c2 i between 0 and 1.",
+                    "{:.4g}). Give k and n above 0, θ_2 not above 0, and c1 + c2 i between 0 and 1?",
                     w.pressure.modulus_Pa_mn, w.pressure.exponent, w.rear_rad, share));
 }
 
@@ -60,7 +60,7 @@ struct FreeSolver {
 [[noreturn]] void fail_search(const ParametricWheel& w, double slip, double load_N, int status) {
     fail_input(fmt::format(
         "the entry angle under {} N at slip {} cannot be found (GSL: {}; k = {:.4g}, n = {:.4g}, c = {:.4g} Pa, "
-        "tan φ = {:.4g}, K = {:.4g} m). Check these numbers.",
+        "tan φ = {:.4g}, K = {:.4g} m). Check these numbers?",
         load_N, slip, gsl_strerror(status), w.pressure.modulus_Pa_mn, w.pressure.exponent, w.shear.cohesion_Pa,
         w.shear.friction, w.shear.displacement_m));
 }
@@ -76,7 +76,7 @@ Bracket find_bracket(Excess& excess) {
     if (Excess::at(least, &excess) >= 0)
         fail_input(
             fmt::format("{} N at slip {} are carried with less than a nanometre of sinkage (the soil is too hard, or "
-                        "there is no load). Check the units of k and n, and the load.",
+                        "there is no load). Check the units of k and n, and the load?",
                         excess.load_N, excess.slip));
     double low = least;
     for (int k = 1; k <= parts; ++k) {
@@ -86,7 +86,7 @@ Bracket find_bracket(Excess& excess) {
     }
     fail_input(
         fmt::format("no entry angle up to 90° carries {} N at slip {} (the soil is too soft). Check the "
-                    "units of k and n.",
+                    "units of k and n?",
                     excess.load_N, excess.slip));
 }
 

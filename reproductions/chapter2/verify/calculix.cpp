@@ -98,7 +98,7 @@ double stiffness_calculix_N_m(const Problem& p, Form form, const std::string& di
     if (std::system(fmt::format("cd {0} && OMP_NUM_THREADS=1 ccx {1} > {1}.log 2>&1", directory, name).c_str()) != 0)
         fail_input(
             fmt::format("CalculiX did not solve {}.inp (is it installed?). Run apt-get install calculix-ccx, or "
-                        "read {}.log.",
+                        "read {}.log?",
                         job, job));
     // "node fx fy fz" after a heading.
     std::ifstream file(job + ".dat");
@@ -110,7 +110,7 @@ double stiffness_calculix_N_m(const Problem& p, Form form, const std::string& di
         if (cells >> node >> fx >> fy >> fz) push += fy, ++found;
     }
     if (found != p.pressed.size())
-        fail_input(fmt::format("{}.dat holds {} reactions of {} (CalculiX writes another form). Read the file.", job,
+        fail_input(fmt::format("{}.dat holds {} reactions of {} (CalculiX writes another form). Read the file?", job,
                                found, p.pressed.size()));
     return push / press_m * p.wheel.width_m / thickness_m;
 }

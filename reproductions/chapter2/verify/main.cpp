@@ -38,7 +38,7 @@ int run_program(int argc, char** argv) {
     else if (!topic.empty())
         topics.at(topic)(out, quick ? Effort::quick : Effort::full);
     else
-        ifedem::fail_input("nothing to measure (neither a topic nor --travels). Give one.");
+        ifedem::fail_input("nothing to measure (neither a topic nor --travels). Give one?");
     out.finish();
     return 0;
 }

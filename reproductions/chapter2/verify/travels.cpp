@@ -32,7 +32,7 @@ Results read_results(const std::string& directory) {
         results[words[0]][static_cast<int>(*slip)][static_cast<int>(*realisation)] =
             measure(read_run(entry.path().string()), window);
     }
-    if (results.empty()) fail_input(fmt::format("{}: no travel stands there. Run travel.mk first.", directory));
+    if (results.empty()) fail_input(fmt::format("{}: no travel stands there. Run travel.mk first?", directory));
     return results;
 }
 
