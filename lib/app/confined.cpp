@@ -49,7 +49,8 @@ std::string measurements(const std::vector<Variant>& variants) {
         const auto row = [&](const char* what, double value, const char* unit, const char* note) {
             text += fmt::format("{}_{},{:.6g},{},0,1,{}\n", what, v.name, value, unit, note);
         };
-        row("confined_young", 1e-6 * v.result.young_Pa, "MPa", "Eq 5.9; slope by least squares through the origin");
+        row("confined_young", 1e-6 * v.result.young_Pa, "MPa", "Eq 5.9; gradient of the mean stress (Eq 5.10)");
+        row("confined_young_of_lid", 1e-6 * v.result.young_of_lid_Pa, "MPa", "Eq 5.9; gradient of the lid's stress");
         row("confined_discs", 1e-3 * end.discs_Pa, "kPa", "the lid on the discs at 3 %");
         row("confined_discs_mean", 1e-3 * end.discs_mean_Pa, "kPa", "Eq 5.10 over the block at 3 %");
         row("confined_element", 1e-3 * end.element_Pa, "kPa", "one element with Table 5-2 at 3 %");
@@ -73,10 +74,10 @@ void write_confined(const ConfinedRequest& request) {
         v.result = compress_confined(c, pattern, largest_strain, points, speed_m_s);
         const ConfinedPoint& end = v.result.point.back();
         fmt::print(
-            "{}: {} discs, fraction {:.4f}; E = {:.3f} MPa; at 3 %: discs {:.1f} kPa (Eq 5.10: {:.1f}), "
+            "{}: {} discs, fraction {:.4f}; E = {:.3f} MPa (lid: {:.3f}); at 3 %: discs {:.1f} kPa (Eq 5.10: {:.1f}), "
             "element {:.2f} kPa\n",
-            v.name, pattern.size(), v.pattern.solid_fraction, 1e-6 * v.result.young_Pa, 1e-3 * end.discs_Pa,
-            1e-3 * end.discs_mean_Pa, 1e-3 * end.element_Pa);
+            v.name, pattern.size(), v.pattern.solid_fraction, 1e-6 * v.result.young_Pa, 1e-6 * v.result.young_of_lid_Pa,
+            1e-3 * end.discs_Pa, 1e-3 * end.discs_mean_Pa, 1e-3 * end.element_Pa);
     }
     std::filesystem::create_directories(request.directory);
     write_file_atomically(request.directory + "/confined.csv", curves(variants));

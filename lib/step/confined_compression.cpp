@@ -41,6 +41,17 @@ double mean_vertical_Pa(const std::vector<Disc>& disc, const std::vector<DiscStr
     return sum / area_m2;
 }
 
+/// Slope of a stress over strain by least squares; the discs bear a stress before they are compressed.
+double gradient(const std::vector<ConfinedPoint>& points, double ConfinedPoint::*stress_Pa) {
+    double x = 0, y = 0;
+    for (const ConfinedPoint& p : points) x += p.strain, y += p.*stress_Pa;
+    x /= static_cast<double>(points.size()), y /= static_cast<double>(points.size());
+    double xy = 0, xx = 0;
+    for (const ConfinedPoint& p : points)
+        xy += (p.strain - x) * (p.*stress_Pa - y), xx += (p.strain - x) * (p.strain - x);
+    return xy / xx;
+}
+
 }  // namespace
 
 ConfinedCompression compress_confined(const Case& c, const std::vector<Disc>& pattern, double largest_strain,
@@ -63,7 +74,6 @@ ConfinedCompression compress_confined(const Case& c, const std::vector<Disc>& pa
     const double way = largest_strain * height / points;
     const auto steps = static_cast<std::uint64_t>(std::llround(way / speed_m_s / scene.dem.step_s));
     const std::uint64_t moves = 50, between = std::max<std::uint64_t>(1, steps / moves);
-    double xy = 0, xx = 0;
     for (int n = 0; n <= points; ++n) {
         for (std::uint64_t k = 0; n > 0 && k < moves; ++k) {
             scene.dem.flat_walls.back().point_m.y -= way / static_cast<double>(moves);
@@ -79,12 +89,12 @@ ConfinedCompression compress_confined(const Case& c, const std::vector<Disc>& pa
         p.discs_Pa = -lid_force_N(scene, state, work) / (length * c.soil.thickness_m);
         p.discs_mean_Pa = mean_vertical_Pa(state.discs.disc, result.stress, length * height * (1 - strain));
         p.element_Pa = element_stress_Pa(c.elements, c.soil.thickness_m, strain);
-        xy += p.strain * p.discs_Pa, xx += p.strain * p.strain;
         result.point.push_back(p);
     }
     result.disc = state.discs.disc;
-    const double nu = c.elements.material.poisson;
-    result.young_Pa = xy / xx * (1 + nu) * (1 - 2 * nu) / (1 - nu);
+    const double nu = c.elements.material.poisson, share = (1 + nu) * (1 - 2 * nu) / (1 - nu);
+    result.young_Pa = share * gradient(result.point, &ConfinedPoint::discs_mean_Pa);
+    result.young_of_lid_Pa = share * gradient(result.point, &ConfinedPoint::discs_Pa);
     return result;
 }
 

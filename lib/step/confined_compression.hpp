@@ -19,7 +19,8 @@ struct ConfinedCompression {
     std::vector<ConfinedPoint> point;
     std::vector<Disc> disc;          ///< at the end
     std::vector<DiscStress> stress;  ///< of each (Fig 5-9)
-    double young_Pa = 0;  ///< Eq 5.9 with E' the slope of the lid's stress by least squares through the origin
+    double young_Pa = 0;             ///< Eq 5.9 with E' the gradient of the mean stress (Eq 5.10) over strain
+    double young_of_lid_Pa = 0;  ///< with that of the stress on the lid, which friction of the side walls makes larger
 };
 
 /// Section 5.1.6: the block's discs between walls with the friction of travel, pressed by a lid to

@@ -80,6 +80,7 @@ report: $(INPUTS)
 	  --title "Chapter 3: an elastic rover wheel on sand" --command "$(COMMAND)"
 	@echo "report: $(REPORT)/index.html"
 	@$(keep_doubt)
+	@cp $(OUT)/B3-earth-170N-s60-r1/snapshot.png $(REPORT)/wheel.png 2> /dev/null || true # the README's picture
 	@awk -f $(CHAPTER)/equal_slip.awk $(REPORT)/runs.csv > $(REPORT)/equal_slip.csv
 	@$(IFEDEM) check $(CHAPTER)/claims.csv $(fresh_runs) $(OUT)/stiffness $(FOUND) -o $(REPORT)/checks.csv
 	@set -- $(fresh_runs); [ $$# = $(words $(RUNS)) ] || { echo "$$(( $(words $(RUNS)) - $$# )) of $(words $(RUNS)) runs are missing"; exit 1; }

@@ -28,6 +28,7 @@ sets_of_zeta0.5       := --set contact.damping_ratio=0.5 --set time_step_s=1e-5
 sets_of_surface15     := --set wheel.surface_thickness_m=0.015
 sets_of_surface25     := --set wheel.surface_thickness_m=0.025
 sets_of_absolute      := --set wheel.damping_frame=absolute
+sets_of_rigid         := --set wheel.body=rigid
 sets_of_drawbarP0.1   := --set control.drawbar.proportional_N_m=1e5
 sets_of_drawbarP10    := --set control.drawbar.proportional_N_m=1e7
 sets_of_drawbarI0.1   := --set control.drawbar.integral_N_m_s=1e3
@@ -47,6 +48,9 @@ sets_of_dt1e5   := --set time_step_s=1e-5
 sets_of_dt5e6   := --set time_step_s=5e-6
 sets_of_dt1.25e6 := --set time_step_s=1.25e-6
 
+# A tyre that cannot be flattened, as the text assumes: is it softness that decides the shape of the stresses?
+RIGID := $(foreach s,$(SLIPS),rigid-tyre-s$(s)-r1)
+
 # Plates on the same bed, N on 0.15 × 0.17 m: 5, 10, 20 and 40 kPa.
 PLATES := plate-127.5N plate-255N plate-510N plate-1020N
 PLATE_CASE := $(CHAPTER)/cases/plate.toml
@@ -56,6 +60,8 @@ ifeq ($(SET),sensitivity)
 RUNS := $(foreach v,$(VARIANTS),$(call run_of,$(v)))
 else ifeq ($(SET),step)
 RUNS := $(foreach v,$(STEPS),$(call run_of,$(v)))
+else ifeq ($(SET),rigid)
+RUNS := $(RIGID)
 else ifeq ($(SET),text-step)
 RUNS := $(call run_of,dt1.25e6)
 else
@@ -64,7 +70,7 @@ endif
 # Variants among the campaign's runs are measured apart.
 main_runs = $(call fresh,$(filter $(MAIN),$(RUNS)))
 
-.PHONY: reproduce runs report quick sensitivity step text-step beside-fitted
+.PHONY: reproduce runs report quick sensitivity step text-step rigid rigid-table beside-fitted
 reproduce:
 	-@$(MAKE) --no-print-directory -f $(SWEEP) runs
 	@$(MAKE) --no-print-directory -f $(SWEEP) report
@@ -74,6 +80,10 @@ runs: sweep
 sensitivity step text-step:
 	-@$(MAKE) --no-print-directory -f $(SWEEP) runs SET=$@
 	@$(MAKE) --no-print-directory -f $(SWEEP) table SET=$@
+
+rigid:
+	-@$(MAKE) --no-print-directory -f $(SWEEP) runs SET=rigid
+	@$(MAKE) --no-print-directory -f $(SWEEP) rigid-table SET=rigid
 
 include reproductions/chapter3/sweep.mk
 
@@ -133,6 +143,12 @@ table: $(INPUTS)
 	@$(IFEDEM) effects --defaults $(wildcard $(OUT)/text-tyre-s22-r*) --variants $(fresh_runs) -o $(OUT)/$(SET)
 	@cp $(OUT)/$(SET)/effects.csv $(REPORT)/$(SET).csv
 	@echo "table: $(REPORT)/$(SET).csv"
+
+rigid-table: $(INPUTS)
+	@mkdir -p $(REPORT)
+	@$(IFEDEM) stress $(fresh_runs) -o $(OUT)/rigid
+	@cp $(OUT)/rigid/measurements.csv $(REPORT)/rigid.csv
+	@echo "table: $(REPORT)/rigid.csv"
 
 QUICK := build/runs/quick4
 quick:

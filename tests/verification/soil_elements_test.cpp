@@ -310,6 +310,15 @@ TEST(Confined, compression_is_the_same_for_any_integrator_of_the_case) {
     const std::vector<Disc> pattern = prepare_pattern(c);
     const ConfinedCompression reference = compress_confined(c, pattern, 0.01, 2, 0.1);
     EXPECT_LT(reference.point.back().discs_Pa, -1e3);
+    // Of three points at equal distances the gradient is that between the outer two, wherever the line meets zero.
+    const ConfinedPoint &first = reference.point.front(), &last = reference.point.back();
+    ASSERT_EQ(reference.point.size(), 3U);
+    const MaterialCase unit{.young_Pa = 1, .poisson = c.elements.material.poisson};
+    const auto young = [&](double from_Pa, double to_Pa) {
+        return (to_Pa - from_Pa) / (last.strain - first.strain) / confined_modulus_Pa(unit);
+    };
+    EXPECT_NEAR(reference.young_Pa, young(first.discs_mean_Pa, last.discs_mean_Pa), 1e-9 * reference.young_Pa);
+    EXPECT_NEAR(reference.young_of_lid_Pa, young(first.discs_Pa, last.discs_Pa), 1e-9 * reference.young_of_lid_Pa);
     for (const Integrator integrator : {Integrator::modified_euler_one, Integrator::modified_euler_two}) {
         c.integrator = integrator;
         const ConfinedCompression result = compress_confined(c, prepare_pattern(c), 0.01, 2, 0.1);

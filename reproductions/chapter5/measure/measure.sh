@@ -9,7 +9,7 @@ mkdir -p "$out"
 here=$(dirname "$0")
 
 echo "run,kind,quantity,conversions,step,standard_error" > "$out/epochs.csv"
-echo "run,ahead_kPa,behind_kPa,positive_kPa" > "$out/shear.csv"
+echo "run,band_kPa,behind_kPa,front_kPa,rear_kPa,lowest_kPa,highest_kPa" > "$out/shear.csv"
 echo "run,region,slip_percent,realisation,gross_N,net_N,resistance_N,sinkage_cm,vertical_N,slip,cpu_s,conversions,refused,upheaval_cm,rut_cm,discs,state_hash,results_version" > "$out/runs.csv"
 for run in "$@"; do
     name=$(basename "$run")

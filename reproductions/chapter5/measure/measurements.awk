@@ -19,6 +19,18 @@ function pair_width(g, column,    s, r, d, pairs, total, squares, ss, freedom) {
     }
     return freedom ? t975[freedom < 20 ? freedom : 20] * sqrt(ss / freedom) : ""
 }
+# How much nearer to discs only (c) a larger region (b) is than a smaller one (a), realisation by realisation.
+function approach(column, a, b, c,    off_a, off_b, r, nearer, pairs, total, squares, scatter) {
+    off_a = mean[a, column] > mean[c, column] ? 1 : -1; off_b = mean[b, column] > mean[c, column] ? 1 : -1
+    for (r = 1; r <= 12; ++r) if (((a, r, column) in of) && ((b, r, column) in of) && ((c, r, column) in of)) {
+        nearer = (off_a * (of[a, r, column] - of[c, r, column]) - off_b * (of[b, r, column] - of[c, r, column])) / 980
+        ++pairs; total += nearer; squares += nearer * nearer
+    }
+    scatter = sd(total, squares, pairs)
+    row("approach_" (column == 5 ? "gross_" : column == 6 ? "" : "resistance_") s, total / pairs, "-", scatter, pairs, \
+        "how much nearer to discs only the large region is than the small one: " (column == 5 ? "gross tractive effort" : column == 6 ? "net traction" : "motion resistance") " over W", \
+        pairs > 1 ? sprintf("%.4g", t975[pairs - 1] * scatter / sqrt(pairs)) : "")
+}
 $1 ~ /-s70-r1-discs1451$/ { text_count[$2] = $14 }
 FNR == 1 || $3 == "" { next }
 {
@@ -74,25 +86,21 @@ END {
         if ((a in n) && (b in n)) {
             row("upheaval_" g, (mean[a, 14] - mean[b, 14]) / 0.6, "-", dev[a, 14] / 0.6, n[a], "above that of discs only at 70 % in diameters of the largest disc")
             share = mean[a, 15] / mean[b, 15]
-            if (g != "row" && (rut == "" || distance(share, 1) > distance(rut, 1))) { rut = share; rut_of = g }
+            if (g != "row" && (rut == "" || distance(share, 1) > distance(rut, 1))) { rut = share; rut_of = g; rut_root = sqrt(n[a] < n[b] ? n[a] : n[b]) * mean[b, 15] }
         }
     }
     for (g in text_count) if (("discs", 70) in n)
         row("upheaval1451_" g, (text_count[g] - mean["discs" SUBSEP 70, 14]) / 0.6, "-", 0, 1, "the same with the text's 1451 discs in a block")
-    if (rut != "") row("rut_difference", rut, "-", 0, 1, "height behind the tyre over that of discs only at 70 %: the farthest from 1 of the three regions: " rut_of)
+    if (rut != "") {
+        width = pair_width("small", 15)  # one region has pairs enough at any slip
+        row("rut_difference", rut, "-", 0, 1, "height behind the tyre over that of discs only at 70 %: the farthest from 1 of the three regions: " rut_of "; U by pairs of packings of the small region", \
+            width == "" ? "" : sprintf("%.4g", width / rut_root))
+    }
     # Differences of our own variants, realisation by realisation, have the 95 % interval of their mean (contract).
     for (s = 0; s <= 10; s += 10) {
         a = "small" SUBSEP s; b = "large" SUBSEP s; c = "discs" SUBSEP s
         if (!((a in n) && (b in n) && (c in n))) continue
-        off_a = mean[a, 6] > mean[c, 6] ? 1 : -1; off_b = mean[b, 6] > mean[c, 6] ? 1 : -1
-        pairs = total = squares = 0
-        for (r = 1; r <= 12; ++r) if (((a, r, 6) in of) && ((b, r, 6) in of) && ((c, r, 6) in of)) {
-            nearer = (off_a * (of[a, r, 6] - of[c, r, 6]) - off_b * (of[b, r, 6] - of[c, r, 6])) / 980
-            ++pairs; total += nearer; squares += nearer * nearer
-        }
-        scatter = sd(total, squares, pairs)
-        row("approach_" s, total / pairs, "-", scatter, pairs, "how much nearer to discs only the large region is than the small one: net traction over W", \
-            pairs > 1 ? sprintf("%.4g", t975[pairs - 1] * scatter / sqrt(pairs)) : "")
+        for (column = 5; column <= 7; ++column) approach(column, a, b, c)
     }
     # Where net traction is zero: between two slips of one packing by a straight line.
     for (q = 1; q <= 5; ++q) {
