@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -68,6 +69,9 @@ std::vector<SandVariant> list_variants(const Case& c, Knobs knobs) {
 
 /// By what follows from the discs alone: a wheel's limits are not the sand's.
 void refuse_what_cannot_be_tested(const CalibrateRequest& request, const std::vector<SandVariant>& variants) {
+    if (!std::isfinite(request.stress_kPa))
+        fail_input(
+            fmt::format("--stress {} is no stress (it must be a finite number, kPa). Correct it?", request.stress_kPa));
     if (!(variants.front().c.gravity_m_s2 > 0))
         fail_input(
             fmt::format("{}: gravity_m_s2 is 0 (heap and plate need the sand's weight). Give the sand some gravity?",

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "app/run_set.hpp"
 #include "app/share.hpp"
 #include "check/csv.hpp"
 #include "check/document.hpp"
@@ -211,9 +212,10 @@ FigureGroup draw_figures(const CalibrateRequest& request, const SandVariant& san
 
 BulletList explain(const CalibrateRequest& request, const SandVariant& sand) {
     return {
-        {fmt::format("Command: ifedem calibrate {} -o {} --n {} --stress {}{}{}", request.case_path, request.directory,
-                     request.realisations, request.stress_kPa, request.effort == Effort::quick ? " --quick" : "",
-                     request.knobs == Knobs::turn ? " --knobs" : ""),
+        {fmt::format("Command: ifedem calibrate {} -o {} --n {} --stress {}{}{}{}", request.case_path,
+                     request.directory, request.realisations, request.stress_kPa,
+                     request.effort == Effort::quick ? " --quick" : "", request.knobs == Knobs::turn ? " --knobs" : "",
+                     show_settings(request.overrides)),
          fmt::format(
              "Realisations are packing seeds {} to {}. Discs in two dimensions; stresses are over {:g} m of thickness.",
              sand.c.bed.seed, sand.c.bed.seed + request.realisations - 1, sand.c.soil.thickness_m),

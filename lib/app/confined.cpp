@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "core/error.hpp"
 #include "model/case.hpp"
 #include "record/results.hpp"
 #include "step/confined_compression.hpp"
@@ -65,6 +66,11 @@ std::string measurements(const std::vector<Variant>& variants) {
 
 void write_confined(const ConfinedRequest& request) {
     const Case c = read_case(request.case_path);
+    if (c.elements.columns == 0)
+        fail_input(
+            fmt::format("{}: there are no soil elements (elements.columns is 0, so there is no block to press). "
+                        "Give the case some?",
+                        request.case_path));
     std::vector<Variant> variants{{"text", c.elements.pattern_mass_factor, {}, {}}, {"full", 1.0, {}, {}}};
     for (Variant& v : variants) {
         Case as_prepared = c;

@@ -127,16 +127,18 @@ void log_trial(Fit& fit, const Variant& trial, const std::vector<RunMetrics>& me
 
 std::string without_extension(const std::string& output) { return output.substr(0, output.size() - 5); }
 
+/// How the comment begins by which a file is known to be a fit's.
+constexpr const char *least_model = "The least model", *nothing_less = "Nothing can be less";
+
 void write_files(const Fit& fit) {
     const std::string& output = fit.request.output;
     fs::path base = fs::absolute(fit.request.case_path);
     if (const fs::path folder = fs::absolute(output).parent_path(); fs::path(fit.request.case_path).is_relative())
         base = base.lexically_proximate(folder);
     const FitRequest& r = fit.request;
-    std::string text =
-        fmt::format("# {}: {} within {} ({}) in {} realisations; trials: {}.csv\n",
-                    fit.kept.names.empty() ? "Nothing can be less" : "The least model", r.quantities, r.tolerance,
-                    r.evidence, r.realisations, fs::path(without_extension(output)).filename().string());
+    std::string text = fmt::format("# {}: {} within {} ({}) in {} realisations; trials: {}.csv\n",
+                                   fit.kept.names.empty() ? nothing_less : least_model, r.quantities, r.tolerance,
+                                   r.evidence, r.realisations, fs::path(without_extension(output)).filename().string());
     text += fmt::format("base = \"{}\"\n", base.lexically_normal().string());
     for (const Override& change : list_changes(read_case(fit.request.case_path), fit.kept.c))
         text += fmt::format("{} = {}\n", change.key, change.value);
@@ -222,6 +224,11 @@ void measure_original(Fit& fit) {
     warn_of_scatter(fit);
 }
 
+bool is_of_fit(const std::string& text) {
+    return text.starts_with(fmt::format("# {}: ", least_model)) ||
+           text.starts_with(fmt::format("# {}: ", nothing_less));
+}
+
 void refuse_output(const FitRequest& request) {
     if (!request.output.ends_with(".toml") || fs::path(request.output).stem().empty())
         fail_input(
@@ -230,6 +237,9 @@ void refuse_output(const FitRequest& request) {
     if (fs::equivalent(request.output, request.case_path, ignored))
         fail_input(
             fmt::format("-o {} is the case itself (it would be overwritten). Choose another -o?", request.output));
+    if (fs::exists(request.output) && !is_of_fit(read_text(request.output)))
+        fail_input(fmt::format("-o {} exists already and is not a fit's (it would be overwritten). Choose another -o?",
+                               request.output));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 #include "app/calibrate.hpp"
@@ -30,6 +31,7 @@
 #include "check/points.hpp"
 #include "check/points_guide.hpp"
 #include "check/report.hpp"
+#include "core/error.hpp"
 #include "record/checkpoint.hpp"
 #include "record/compare.hpp"
 
@@ -45,6 +47,8 @@ Override to_override(const std::string& text) {
     return {text.substr(0, at), text.substr(at + 1)};
 }
 
+constexpr const char* cache_help = "cache of finished stages (build/stages where the program is started)";
+
 void allow_unstable(CLI::App& command, RunRequest& request) {
     command.add_flag_callback(
         "--allow-unstable", [&] { request.unstable_step = UnstableStep::allow; },
@@ -57,17 +61,19 @@ void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets,
     run->add_option("-o,--output", request.directory, "run directory")->required();
     run->add_option("--set", sets, "override a key: table.key=value")->take_all();
     run->add_option("--threads", request.threads, "threads for one case")->check(CLI::Range(1, 256));
-    run->add_option("--stages", request.stage_cache, "cache of finished stages");
+    run->add_option("--stages", request.stage_cache, cache_help);
     run->add_flag_callback(
         "--force", [&] { request.existing = Existing::replace; }, "replace an existing directory");
     run->add_flag_callback(
         "--quiet", [&] { request.show = Show::nothing; }, "no progress");
     allow_unstable(*run, request);
     run->add_option("--stop-at-step", request.stop_at_step,
-                    "leave a checkpoint after this many steps of all stages together");
+                    "leave a checkpoint after this many steps of all stages together")
+        ->check(CLI::Range(1.0, 1e15));
     run->add_flag("--profile", request.profile, "print the CPU time of each phase of the step (of the first thread)");
     run->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
+        if (request.directory.empty()) fail_input("-o is empty (there is nowhere to write to). Name a directory?");
         code = run_case(request);
     });
 }
@@ -77,7 +83,7 @@ void add_stage(CLI::App& app, RunRequest& request, std::vector<std::string>& set
     stage->add_option("case", request.case_path, "case file (TOML)")->required();
     stage->add_option("--set", sets, "override a key: table.key=value")->take_all();
     stage->add_option("--threads", request.threads, "threads")->check(CLI::Range(1, 256));
-    stage->add_option("--stages", request.stage_cache, "cache of finished stages");
+    stage->add_option("--stages", request.stage_cache, cache_help);
     stage->add_flag_callback(
         "--quiet", [&] { request.show = Show::nothing; }, "no progress");
     request.last_stage = Stage::sinkage;
@@ -94,9 +100,12 @@ void add_resume(CLI::App& app, RunRequest& request, int& code) {
     auto* resume = app.add_subcommand("resume", "go on with a run that was stopped");
     resume->add_option("directory", request.directory, "run directory")->required();
     resume->add_option("--threads", request.threads, "threads")->check(CLI::Range(1, 256));
-    resume->add_option("--stages", request.stage_cache, "cache of finished stages");
-    resume->add_option("--stop-at-step", request.stop_at_step,
-                       "leave a checkpoint after this many steps of all stages together");
+    resume->add_option("--stages", request.stage_cache, cache_help);
+    resume
+        ->add_option("--stop-at-step", request.stop_at_step,
+                     "leave a checkpoint after this many steps of all stages together")
+        ->check(CLI::Range(1.0, 1e15));
+    allow_unstable(*resume, request);
     resume->add_flag_callback(
         "--quiet", [&] { request.show = Show::nothing; }, "no progress");
     resume->callback([&] { code = resume_case(request); });
@@ -110,7 +119,7 @@ void add_sweep(CLI::App& app, SweepRequest& request, std::vector<std::string>& s
     sweep->add_option("--load", request.loads, "loads in N: 50,100");
     sweep->add_option("--jobs", request.jobs, "runs at the same time")->check(CLI::Range(1, 1024));
     sweep->add_option("--set", sets, "override a key: table.key=value")->take_all();
-    sweep->add_option("--stages", request.stage_cache, "cache of finished stages");
+    sweep->add_option("--stages", request.stage_cache, cache_help);
     sweep->callback([&] {
         for (const std::string& s : sets) request.overrides.push_back(to_override(s));
         code = run_sweep(request);
@@ -126,7 +135,7 @@ void add_comparison(CLI::App& command, Request& request, std::vector<std::string
     command.add_option("--n", request.realisations, "realisations (packing and lug phase) of each variant");
     command.add_option("--jobs", request.options.jobs, "runs at the same time")->check(CLI::Range(1, 1024));
     command.add_option("--set", sets, "override a key: table.key=value")->take_all();
-    command.add_option("--stages", request.options.stage_cache, "cache of finished stages");
+    command.add_option("--stages", request.options.stage_cache, cache_help);
 }
 
 void add_doubt(CLI::App& app, DoubtRequest& request, std::vector<std::string>& sets, int& code) {
@@ -278,7 +287,8 @@ void add_picture(CLI::App& app, PictureArguments& a) {
     auto* picture = app.add_subcommand("picture", "draw recorded frames");
     picture->add_option("run", a.run, "run directory")->required();
     picture->add_option("-o,--output", a.output, "directory for the pictures")->required();
-    picture->add_option("--frame", a.frame, "number of the frame, from 0; -1 for the last");
+    picture->add_option("--frame", a.frame, "number of the frame, from 0; -1 for the last")
+        ->check(CLI::Range(-1L, std::numeric_limits<long>::max()));
     picture->add_flag("--sheet", a.sheet, "a contact sheet of nine frames instead");
     picture->add_flag("--animation", a.animation, "a GIF of up to thirty frames instead");
     picture->add_flag("--pressure", a.pressure, "sheet and animation: discs coloured by pressure, not by speed");
@@ -314,7 +324,7 @@ void add_stiffness(CLI::App& app, StiffnessRequest& request) {
     auto* press = app.add_subcommand("stiffness", "radial stiffness of wheels on a rigid plane");
     press->add_option("cases", request.case_paths, "case files")->required();
     press->add_option("-o,--output", request.directory, "directory for stiffness.csv")->required();
-    press->add_option("--load", request.load_N, "load of the secant, N");
+    press->add_option("--load", request.load_N, "load of the secant, N (each case's own)");
     press->callback([&] { write_stiffness(request); });
 }
 

@@ -252,14 +252,23 @@ bool run_stage(LiveRun& run, Stage stage) {
     return true;
 }
 
-/// The end of a stage goes to the cache, with what is worth knowing about it.
-void keep_stage(const LiveRun& run, Stage stage) {
-    if (stage == Stage::travel) return;
-    const std::string directory = stage_directory(run, stage);
+/// The end of a stage, with what is worth knowing about it.
+void write_stage(const LiveRun& run, Stage stage, const std::string& directory) {
     fs::create_directories(directory);
     const DirectoryLock lock(directory, Busy::wait);  // another run may end the same stage
     write_file_atomically(directory + "/stage.csv", to_csv(describe_stage(run.c, run.state, stage)));
     write_checkpoint(directory + "/checkpoint.h5", run.state, run.c);
+}
+
+/// Into the cache; one that cannot be written to costs time, not the run, unless the stage is all that was asked for.
+void keep_stage(const LiveRun& run, Stage stage) {
+    if (stage == Stage::travel) return;
+    try {
+        write_stage(run, stage, stage_directory(run, stage));
+    } catch (const std::exception& error) {
+        if (run.request.directory.empty()) throw;
+        fmt::print(stderr, "note: {} The {} is not kept for other runs.\n", error.what(), stage_name(stage));
+    }
 }
 
 /// What keep_stage() found worth knowing; nothing where that is lost or damaged.
@@ -431,6 +440,21 @@ int start_run(LiveRun& run) {
     return go_through_stages(run, first);
 }
 
+/// A run is what its case.toml says. One that cannot be read says nothing; the checkpoint has the case too.
+void refuse_changed_case(const std::string& path, const Case& begun_with) {
+    std::vector<Override> changes;
+    try {
+        changes = list_changes(begun_with, read_case(path));
+    } catch (const Error&) {
+        return;
+    }
+    if (!changes.empty())
+        fail_input(fmt::format(
+            "{}: {} is not what the run was begun with (the checkpoint would go on as before). Undo the change, or run "
+            "the case into another directory?",
+            path, changes.front().key));
+}
+
 /// What a stopped run left. False: it is damaged, which costs time, not the run.
 bool take_up(LiveRun& run) {
     try {
@@ -440,6 +464,7 @@ bool take_up(LiveRun& run) {
                 "{} was written by results version {} (this program has {}; it would not give the same bits). "
                 "Run the case anew?",
                 checkpoint_path(run), checkpoint.results_version, results_version));
+        refuse_changed_case(run.request.directory + "/case.toml", checkpoint.c);
         run.c = checkpoint.c;
         run.state = std::move(checkpoint.state);
         run.recorder =

@@ -100,6 +100,18 @@ std::vector<int> make_travels(const std::vector<WantedRun>& runs, const RunSetOp
 
 }  // namespace
 
+std::string show_settings(const std::vector<Override>& settings) {
+    std::string text;
+    for (const Override& setting : settings) {
+        const std::string argument = setting.key + "=" + setting.value;
+        const bool plain =
+            argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.=+-,") ==
+            std::string::npos;
+        text += plain ? " --set " + argument : " --set '" + argument + "'";
+    }
+    return text;
+}
+
 WantedRun want_run(const std::string& case_path, std::vector<Override> settings, std::string directory) {
     Case c = read_case(case_path, settings);
     return {case_path, std::move(settings), std::move(directory), std::move(c)};

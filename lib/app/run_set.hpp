@@ -17,6 +17,9 @@ struct WantedRun {
 /// Throws Error(bad_input) if the settings give no case.
 [[nodiscard]] WantedRun want_run(const std::string& case_path, std::vector<Override> settings, std::string directory);
 
+/// " --set key=value" of each, for a command that is shown to be repeated; quoted where a shell would take it apart.
+[[nodiscard]] std::string show_settings(const std::vector<Override>& settings);
+
 struct RunSetOptions {
     std::string stage_cache = "build/stages";
     int jobs = 1;  ///< runs at the same time

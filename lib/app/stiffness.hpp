@@ -7,7 +7,7 @@ namespace ifedem {
 struct StiffnessRequest {
     std::vector<std::string> case_paths;
     std::string directory;
-    double load_N = 170;  ///< of the secant, section 3.2.2
+    double load_N = 0;  ///< of the secant; 0: each case's own
 };
 
 /// Writes stiffness.csv (wheel,phase_deg,deflection_m,load_N) and stiffness_summary.csv

@@ -32,6 +32,14 @@ struct SweepPlan {
     std::vector<SweepPoint> points;
 };
 
+/// Each value once, where it stands first: two runs cannot share a directory.
+std::vector<double> drop_repeated(const std::vector<double>& values) {
+    std::vector<double> once;
+    for (const double value : values)
+        if (std::ranges::find(once, value) == once.end()) once.push_back(value);
+    return once;
+}
+
 SweepPlan plan_sweep(const SweepRequest& request) {
     const Case own = read_case(request.case_path, request.overrides);
     const std::vector<double> loads =
@@ -39,8 +47,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     const std::vector<double> slips =
         request.slips.empty() ? std::vector{own.travel.slip_percent} : parse_values(request.slips, "--slip");
     SweepPlan plan;
-    for (const double load : loads) {
-        for (const double slip : slips) {
+    for (const double load : drop_repeated(loads)) {
+        for (const double slip : drop_repeated(slips)) {
             SweepPoint point;
             point.load_N = load;
             point.slip_percent = slip;
@@ -91,10 +99,11 @@ int run_sweep(const SweepRequest& request) {
         points[k].status = status[k];
         worst = std::max(worst, status[k]);
     }
-    write_sweep_report(request.directory, points,
-                       fmt::format("ifedem sweep {} -o {} --load {} --slip {}", request.case_path, request.directory,
-                                   request.loads.empty() ? "(the case’s)" : request.loads,
-                                   request.slips.empty() ? "(the case’s)" : request.slips));
+    write_sweep_report(
+        request.directory, points,
+        fmt::format("ifedem sweep {} -o {}{}{}{}", request.case_path, request.directory,
+                    request.loads.empty() ? "" : " --load " + request.loads,
+                    request.slips.empty() ? "" : " --slip=" + request.slips, show_settings(request.overrides)));
     fmt::print("report: {}/index.html\n", request.directory);
     return worst;
 }

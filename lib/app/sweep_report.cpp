@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "app/picture.hpp"
 #include "app/share.hpp"
@@ -33,9 +34,10 @@ constexpr Curve curves[] = {
     {"torque_Nm", "Torque", "torque T [N m]", "Clockwise, at the rim."},
 };
 
-/// P_d V / (T ω): work out over work in.
+/// P_d V / (T ω): work out over work in; of a towed wheel, which takes none in, there is none.
 double tractive_efficiency(const SweepPoint& point) {
     const RunMetrics& m = point.metrics;
+    if (!(m.gross_tractive_effort_N > 0)) return std::numeric_limits<double>::quiet_NaN();
     return m.net_traction_N * (1 - m.measured_slip_percent / 100) / m.gross_tractive_effort_N;
 }
 

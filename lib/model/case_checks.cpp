@@ -36,6 +36,15 @@ void check_soil(const Case& c, Faults& faults) {
     }
 }
 
+/// Area of a block's discs over that of the block.
+double fill_of_block(const Case& c) {
+    double area = 0, shares = 0;
+    for (std::size_t k = 0; k < std::min(c.soil.radii_m.size(), c.soil.radii_shares.size()); ++k)
+        area += c.soil.radii_shares[k] * pi * c.soil.radii_m[k] * c.soil.radii_m[k], shares += c.soil.radii_shares[k];
+    return static_cast<double>(c.elements.pattern_discs) * area / shares /
+           (c.elements.block_length_m * c.elements.block_height_m);
+}
+
 void check_elements(const Case& c, Faults& faults) {
     const ElementsCase& e = c.elements;
     if (e.columns == 0) return;
@@ -50,6 +59,13 @@ void check_elements(const Case& c, Faults& faults) {
         faults.push_back({{"elements.first_disc_column", "elements.disc_columns", "elements.columns"},
                           fmt::format("the blocks of discs leave the grid (columns {} to {} of {}). Move them?",
                                       e.first_disc_column, e.first_disc_column + e.disc_columns, e.columns)});
+    }
+    if (const double fraction = fill_of_block(c); e.disc_columns > 0 && !(fraction < 1)) {
+        faults.push_back(
+            {{"elements.pattern_discs", "elements.block_length_m", "elements.block_height_m", "soil.radii_m"},
+             fmt::format("a block's discs do not fit into it ({} of them have {:.3g} times its area). Lower "
+                         "elements.pattern_discs?",
+                         e.pattern_discs, fraction)});
     }
     constexpr double least_steps = 2000;  // a thousand moves of the lid, and as many steps to rest under it
     const double step_s = c.time_step_s * std::sqrt(e.pattern_mass_factor);
@@ -102,6 +118,11 @@ void check_wheel(const WheelCase& wheel, Faults& faults) {
     }
 }
 
+/// The hub's way: travel.distance_m, but never less than the ramp of speed takes.
+double way_of_travel_m(const TravelCase& travel) {
+    return std::max(travel.distance_m, 0.5 * travel.acceleration_time_s * travel_speed_m_s(travel));
+}
+
 void check_travel(const Case& c, Faults& faults) {
     const double radius = outer_radius_m(c.wheel);
     if (!(c.travel.start_x_m - radius >= 0)) {
@@ -111,13 +132,22 @@ void check_travel(const Case& c, Faults& faults) {
                          "over the lugs, {} m). Start further right?",
                          c.travel.start_x_m, radius)});
     }
-    const double end = c.travel.start_x_m + c.travel.distance_m + radius;
+    const double end = c.travel.start_x_m + way_of_travel_m(c.travel) + radius;
     if (!(end <= c.bed.length_m)) {
         faults.push_back(
-            {{"travel.distance_m", "travel.start_x_m", "bed.length_m", "wheel.tread_radius_m"},
+            {{"travel.distance_m", "travel.start_x_m", "bed.length_m", "wheel.tread_radius_m",
+              "travel.acceleration_time_s"},
              fmt::format("the wheel ends inside the right wall (its front comes to x = {} m, bed.length_m = {}). "
-                         "Shorten travel.distance_m or lengthen the bed?",
+                         "Shorten travel.distance_m or the acceleration, or lengthen the bed?",
                          end, c.bed.length_m)});
+    }
+    if (c.record.stress_segments > 0 &&
+        !(c.record.stress_from_x_m < end - radius && c.record.stress_to_x_m > c.travel.start_x_m)) {
+        faults.push_back(
+            {{"record.stress_from_x_m", "record.stress_to_x_m", "travel.start_x_m", "travel.distance_m"},
+             fmt::format("the hub never comes where contact forces are averaged (x = {} m to {} m; it goes "
+                         "from {} m to {} m). Move the one or the other?",
+                         c.record.stress_from_x_m, c.record.stress_to_x_m, c.travel.start_x_m, end - radius)});
     }
 }
 

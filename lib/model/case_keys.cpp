@@ -81,7 +81,8 @@ constexpr std::array keys{
     IFEDEM_KEY(soil.radii_m, "m", above_zero(10), "radii of the discs"),
     IFEDEM_KEY(soil.radii_shares, "-", above_zero(1e9), "how many discs of each radius, relative to each other"),
     IFEDEM_KEY(soil.density_kg_m3, "kg/m³", above_zero(1e6), "density of a disc"),
-    IFEDEM_KEY(soil.thickness_m, "m", above_zero(1e3), "thickness of a disc across the plane"),
+    IFEDEM_KEY(soil.thickness_m, "m", above_zero(1e3),
+               "thickness of the soil across the plane; give wheel.width_m the same"),
 
     IFEDEM_KEY(contact.normal_stiffness_N_m, "N/m", above_zero(1e12), "normal spring K_n of Eq 2.17"),
     IFEDEM_KEY(contact.tangential_stiffness_N_m, "N/m", from_zero(1e12), "tangential spring K_s of Eq 2.17"),
@@ -137,7 +138,8 @@ constexpr std::array keys{
     IFEDEM_KEY(wheel.plate_length_m, "m", above_zero(1e2), "length of a plate along the travel; it is half as high"),
     IFEDEM_KEY(wheel.body, "", any, "all rigid, elastic layers on a rigid rim, or all elastic"),
     IFEDEM_KEY(wheel.load_N, "N", from_zero(1e7), "vertical load W on the hub"),
-    IFEDEM_KEY(wheel.width_m, "m", above_zero(1e3), "width of the wheel"),
+    IFEDEM_KEY(wheel.width_m, "m", above_zero(1e3),
+               "width of the wheel, for its mass, stiffness and pressures; give soil.thickness_m the same"),
     IFEDEM_KEY(wheel.rim_width_m, "m", from_zero(1e3), "width of the rim (WR); 0 = the wheel's"),
     IFEDEM_KEY(wheel.rim_radius_m, "m", above_zero(1e2), "radius of the rim, where the elastic layers begin"),
     IFEDEM_KEY(wheel.tread_radius_m, "m", above_zero(1e2), "radius of the tread, lugs excluded"),
@@ -173,7 +175,7 @@ constexpr std::array keys{
     IFEDEM_KEY(travel.speed_of, "", any,
                "whose speed speed_m_s is: the hub's V, or r omega of the tread; V = (1 - i) r omega then"),
     IFEDEM_KEY(travel.acceleration_time_s, "s", from_zero(1e5), "time to reach that speed"),
-    IFEDEM_KEY(travel.distance_m, "m", from_zero(1e3), "distance of travel"),
+    IFEDEM_KEY(travel.distance_m, "m", from_zero(1e3), "way of the hub; never less than the ramp of speed takes"),
     IFEDEM_KEY(travel.start_x_m, "m", from_zero(1e3), "hub's place at the start, from the left wall"),
     IFEDEM_KEY(travel.slip_radius, "", any, "radius r of the forced slip"),
 

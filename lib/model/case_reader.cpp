@@ -214,6 +214,7 @@ void note_mesh(Reading& reading, const Key& key, const toml::table* table, const
 /// Stores every value of `table`, whose keys begin with `prefix`.
 void store_table(Reading& reading, const toml::table& table, const std::string& prefix, const std::string& name,
                  std::vector<Fault>& faults) {
+    std::map<std::string, std::string> in_units;  ///< key → how it stands there in other units than its own
     for (const auto& [toml_key, node] : table) {
         const std::string path = prefix + show_letters(toml_key.str());
         const toml::source_position key_at = toml_key.source().begin;
@@ -229,8 +230,10 @@ void store_table(Reading& reading, const toml::table& table, const std::string& 
             if (const Trouble trouble = store(reading, *key, node, place(name, at))) faults.push_back({at, *trouble});
             note_mesh(reading, *key, &table, std::filesystem::path(name).parent_path().string());
         } else if (const auto variant = find_unit_variant(path)) {
-            if (table.contains(leaf_of(variant->key))) {
-                faults.push_back({key_at, fmt::format("given twice ({} and {}). Remove one?", path, variant->key)});
+            const auto [other, first] = in_units.try_emplace(variant->key, path);
+            if (const bool own = table.contains(leaf_of(variant->key)); own || !first) {
+                faults.push_back({key_at, fmt::format("given twice ({} and {}). Remove one?", path,
+                                                      own ? variant->key : other->second)});
             } else if (const Trouble trouble = store_variant(reading, *variant, node, place(name, at))) {
                 faults.push_back({at, *trouble});
             }

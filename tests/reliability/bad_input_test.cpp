@@ -181,6 +181,11 @@ TEST_F(BadInput, KeysThatDoNotFitTogetherAreNamed) {
             {"record.series_interval_s = 1e-6",
              "c:1:28: record.series_interval_s = 1e-06 is less than time_step_s = 4e-05"},
             {"time_step_s = 1e-12", "c:1:15: the run would take 1.2e+13 steps"},
+            {"travel.acceleration_time_s = 30", "c:1:30: the wheel ends inside the right wall"},
+            {"record.stress_segments = 60\nrecord.stress_from_x_m = 1.3\nrecord.stress_to_x_m = 1.4",
+             "c:2:26: the hub never comes where contact forces are averaged"},
+            {"[elements]\ncolumns = 10\ndisc_columns = 2\nblock_length_m = 0.15\npattern_discs = 100000",
+             "c:5:17: a block's discs do not fit into it"},
         });
 }
 
@@ -226,6 +231,9 @@ TEST_F(BadInput, WhatIsNoCaseIsNotRead) {
 TEST_F(BadInput, AKeyGivenTwiceIsSaidToBe) {
     EXPECT_NE(fault_of("bed.seed = 1\nbed.seed = 2").find("given twice"), std::string::npos);
     EXPECT_NE(fault_of("[bed]\nseed = 1\n[bed]\nseed = 2").find("given twice"), std::string::npos);
+    EXPECT_NE(fault_of("[wheel]\nlug_height_cm = 1.5\nlug_height_mm = 6")
+                  .find("given twice (wheel.lug_height_mm and wheel.lug_height_cm)"),
+              std::string::npos);
 }
 
 TEST_F(BadInput, EveryFaultIsListedInTheOrderOfTheFile) {

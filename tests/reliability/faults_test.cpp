@@ -295,6 +295,33 @@ TEST_F(Faults, ADamagedRunBeginsAnew) {
     }
 }
 
+TEST_F(Faults, ACacheThatCannotBeWrittenCostsOnlyTime) {
+    write_text(runs.directory("part-stages"), "no directory");
+    const ProgramEnd outcome = runs.start("part").wait();
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_NE(outcome.errors.find("The consolidation is not kept for other runs."), std::string::npos)
+        << outcome.errors;
+    EXPECT_EQ(runs.end_fault("part", "whole"), "");
+}
+
+// A run that goes on with one case under the name of another would be taken for the other's.
+TEST_F(Faults, AChangedCaseIsNotTakenUp) {
+    std::vector<std::string> arguments = runs.run_arguments("part");
+    arguments.insert(arguments.end(), {"--stop-at-step", "10800"});
+    ASSERT_EQ(Program(arguments, runs.log("part")).wait().status, 0);
+    const std::string path = runs.directory("part/case.toml"), own = read_text(path);
+    const auto at = own.find("slip_percent = ");
+    ASSERT_NE(at, std::string::npos);
+    std::string changed = own;
+    write_text(path, changed.insert(at + 15, "-"));
+    const ProgramEnd outcome = runs.resume("part").wait();
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.errors.find("travel.slip_percent is not what the run was begun with"), std::string::npos)
+        << outcome.errors;
+    write_text(path, own);
+    EXPECT_EQ(resume_fault("part"), "");
+}
+
 // ---- no space ------------------------------------------------------------------------------------------------------
 
 /// The run `name` met a full disk. What is wrong with how it took it?

@@ -39,7 +39,7 @@ protected:
 };
 
 TEST_F(Sweep, GivesTheRunsOfSingleCommands) {
-    const ProgramEnd first = run(arguments("20:60:40", "30,50"));
+    const ProgramEnd first = run(arguments("20,60,20", "30,50"));  // 20 twice: one run
     ASSERT_EQ(first.status, 0) << first.errors;
     ASSERT_EQ(run({"run", IFEDEM_SOURCE_DIR "/tests/reliability/tiny.toml", "-o", scratch.file("one"), "--quiet",
                    "--set", "wheel.lug_pairs=0", "--set", "wheel.load_N=50", "--set", "travel.slip_percent=60",
@@ -58,6 +58,7 @@ TEST_F(Sweep, GivesTheRunsOfSingleCommands) {
     }
     const std::string page = read_text(scratch.file("sweep/index.html"));
     EXPECT_NE(page.find("4 of 4 runs complete."), std::string::npos);
+    EXPECT_NE(page.find("--load 30,50 --slip=20,60,20 --set wheel.lug_pairs=0"), std::string::npos);
     EXPECT_NE(page.find("id=\"torque_Nm\""), std::string::npos);
     for (const char* file : {"figures/torque_Nm.svg", "figures/torque_Nm.csv", "load-30-slip-20/contact_sheet.png",
                              "load-30-slip-20/travel.gif"})
