@@ -128,7 +128,7 @@ void log_trial(Fit& fit, const Variant& trial, const std::vector<RunMetrics>& me
 std::string without_extension(const std::string& output) { return output.substr(0, output.size() - 5); }
 
 /// How the comment begins by which a file is known to be a fit's.
-constexpr const char *least_model = "The least model", *nothing_less = "Nothing can be less";
+constexpr const char *least_model = "# The least model: ", *nothing_less = "# Nothing can be less: ";
 
 void write_files(const Fit& fit) {
     const std::string& output = fit.request.output;
@@ -136,7 +136,7 @@ void write_files(const Fit& fit) {
     if (const fs::path folder = fs::absolute(output).parent_path(); fs::path(fit.request.case_path).is_relative())
         base = base.lexically_proximate(folder);
     const FitRequest& r = fit.request;
-    std::string text = fmt::format("# {}: {} within {} ({}) in {} realisations; trials: {}.csv\n",
+    std::string text = fmt::format("{}{} within {} ({}) in {} realisations; trials: {}.csv\n",
                                    fit.kept.names.empty() ? nothing_less : least_model, r.quantities, r.tolerance,
                                    r.evidence, r.realisations, fs::path(without_extension(output)).filename().string());
     text += fmt::format("base = \"{}\"\n", base.lexically_normal().string());
@@ -224,10 +224,7 @@ void measure_original(Fit& fit) {
     warn_of_scatter(fit);
 }
 
-bool is_of_fit(const std::string& text) {
-    return text.starts_with(fmt::format("# {}: ", least_model)) ||
-           text.starts_with(fmt::format("# {}: ", nothing_less));
-}
+bool is_of_fit(const std::string& text) { return text.starts_with(least_model) || text.starts_with(nothing_less); }
 
 void refuse_output(const FitRequest& request) {
     if (!request.output.ends_with(".toml") || fs::path(request.output).stem().empty())

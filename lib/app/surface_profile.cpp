@@ -50,8 +50,7 @@ SurfaceMeasure measure_surface(const std::string& run_directory) {
     const double column = 4 * *std::max_element(c.soil.radii_m.begin(), c.soil.radii_m.end());
     // Behind: from where the ramp of speed ended to a radius behind the hub, where contact has ended; ahead: from where
     // the heap ends to the same distance from the wall.
-    const double ramp = 0.5 * c.travel.acceleration_time_s * travel_speed_m_s(c.travel);
-    const Profile behind = take_profile(last, c.travel.start_x_m + ramp, hub - radius, column);
+    const Profile behind = take_profile(last, c.travel.start_x_m + ramp_way_m(c.travel), hub - radius, column);
     const Profile ahead = take_profile(last, hub + radius, c.bed.length_m - column, column);
     SurfaceMeasure m;
     m.rough_behind_m = roughness(behind), m.rough_ahead_m = roughness(ahead);

@@ -222,6 +222,11 @@ struct Case {
                                              : travel.speed_m_s;
 }
 
+/// What the hub goes while it accelerates.
+[[nodiscard]] inline double ramp_way_m(const TravelCase& travel) {
+    return 0.5 * travel.acceleration_time_s * travel_speed_m_s(travel);
+}
+
 /// An assignment from the command line, `--set table.key=value`.
 struct Override {
     std::string key;

@@ -119,9 +119,7 @@ void check_wheel(const WheelCase& wheel, Faults& faults) {
 }
 
 /// The hub's way: travel.distance_m, but never less than the ramp of speed takes.
-double way_of_travel_m(const TravelCase& travel) {
-    return std::max(travel.distance_m, 0.5 * travel.acceleration_time_s * travel_speed_m_s(travel));
-}
+double way_of_travel_m(const TravelCase& travel) { return std::max(travel.distance_m, ramp_way_m(travel)); }
 
 void check_travel(const Case& c, Faults& faults) {
     const double radius = outer_radius_m(c.wheel);

@@ -84,10 +84,8 @@ std::uint64_t steps_of_stage(const Case& c, Stage stage) {
     if (stage == Stage::consolidation) duration = c.stages.consolidation_s;
     if (stage == Stage::sinkage) duration = c.stages.sinkage_s;
     if (stage == Stage::travel) {
-        const double ramp = c.travel.acceleration_time_s;
-        const double speed = travel_speed_m_s(c.travel);
-        const double rest = c.travel.distance_m - 0.5 * ramp * speed;
-        duration = ramp + max_of(0.0, rest) / speed;
+        const double rest = c.travel.distance_m - ramp_way_m(c.travel);
+        duration = c.travel.acceleration_time_s + max_of(0.0, rest) / travel_speed_m_s(c.travel);
     }
     return static_cast<std::uint64_t>(std::llround(duration / c.time_step_s));
 }

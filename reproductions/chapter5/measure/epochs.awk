@@ -1,10 +1,6 @@
 # epochs.awk epochs.csv shear.csv: more lines of measurements.csv: steps at a conversion over all runs, each run weighted alike, and
 # the shear stress of the small region against discs only at 40 %, packing by packing.
-BEGIN {  # t(0.975) of 1 to 11 degrees of freedom
-    FS = ","
-    split("12.706 4.303 3.182 2.776 2.571 2.447 2.365 2.306 2.262 2.228 2.201", t975, " ")
-}
-function sd(sum, squares, n) { return n > 1 && squares > sum * sum / n ? sqrt((squares - sum * sum / n) / (n - 1)) : 0 }
+BEGIN { FS = "," }
 # A ratio of two columns of the small region.
 function ratio_row(name, above, below, note,    r, x, n, total, squares) {
     for (r = 1; r <= 12; ++r) if ((("small", r) in run) && of["small", r, below]) {

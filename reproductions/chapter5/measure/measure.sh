@@ -31,8 +31,8 @@ for run in "$@"; do
     [ "$name" != large-s40-r1 ] || "$ifedem" picture "$run" -o "$out" --sheet --animation --pressure
 done
 
-awk -v out="$out" -f "$here/measurements.awk" "$out/runs.csv"
+awk -v out="$out" -f "$here/statistics.awk" -f "$here/measurements.awk" "$out/runs.csv"
 set -- "$out"/surface-*-s70-r1*.csv
 [ ! -f "$1" ] || awk -f "$here/upheaval.awk" "$@" > "$out/upheaval.csv"
-awk -f "$here/epochs.awk" "$out/epochs.csv" "$out/shear.csv" >> "$out/measurements.csv"
+awk -f "$here/statistics.awk" -f "$here/epochs.awk" "$out/epochs.csv" "$out/shear.csv" >> "$out/measurements.csv"
 awk -f "$here/time.awk" "$out/runs.csv" > "$out/time.csv"

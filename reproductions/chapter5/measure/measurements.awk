@@ -1,10 +1,6 @@
 # measurements.awk -v out=DIR runs.csv: DIR/curves.csv, means over realisations for the figures, and DIR/measurements.csv, what the
 # claims compare.
-BEGIN {  # t(0.975) of 1 to 20 degrees of freedom
-    FS = ","
-    split("12.706 4.303 3.182 2.776 2.571 2.447 2.365 2.306 2.262 2.228 2.201 2.179 2.160 2.145 2.131 2.120 2.110 2.101 2.093 2.086", t975, " ")
-}
-function sd(sum, sum2, n) { return n > 1 && sum2 > sum * sum / n ? sqrt((sum2 - sum * sum / n) / (n - 1)) : 0 }
+BEGIN { FS = "," }
 function row(name, value, units, scatter, n, note, uncertainty) {
     printf "%s,%.5g,%s,%.4g,%d,%s,%s\n", name, value, units, scatter, n, note, uncertainty > (out "/measurements.csv") }
 function distance(a, b) { return a > b ? a - b : b - a }
