@@ -1,11 +1,6 @@
 #include "fem/mesh.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "core/bitmath.hpp"
-#include "core/error.hpp"
 #include "fem/gmsh.hpp"
 #include "fem/hub_core.hpp"
 
@@ -28,33 +23,6 @@ struct Rings {
     std::size_t intermediate = 0;  ///< rings of elements below the surface layer
 };
 
-void require(bool good, const std::string& message) {
-    if (!good) fail_input(message);
-}
-
-void check_wheel(const WheelCase& w) {
-    require(w.rim_radius_m > 0 && w.tread_radius_m > w.rim_radius_m,
-            fmt::format("wheel.tread_radius_m = {} does not exceed wheel.rim_radius_m = {} (no room for the layers). "
-                        "Raise the one or lower the other?",
-                        w.tread_radius_m, w.rim_radius_m));
-    const double layers_m = w.tread_radius_m - w.rim_radius_m;
-    require(w.surface_thickness_m > 0 && w.surface_thickness_m < layers_m,
-            fmt::format("wheel.surface_thickness_m = {} leaves no intermediate layer (rim to tread is {} m). "
-                        "Choose a value between 0 and that?",
-                        w.surface_thickness_m, layers_m));
-    require(w.intermediate_rings >= 1 && w.surface_rings >= 1 && w.gap_columns >= 1 && w.pitch_columns >= 1,
-            "wheel.intermediate_rings, surface_rings, gap_columns or pitch_columns is below 1 (a layer would have no "
-            "elements). Set each to 1 or more?");
-    require(
-        w.body != WheelBody::elastic || w.rim_rings >= 1,
-        "wheel.rim_rings is below 1 (an elastic rim needs a ring of elements around its core). Set it to 1 or more?");
-    require(w.lug_pairs >= 0, "wheel.lug_pairs is negative. Set it to 0 for a smooth tread, or more?");
-    require(
-        w.lug_pairs == 0 || (w.lug_height_m > 0 && w.lug_thickness_m > 0 && w.lug_gap_m > 0),
-        "wheel.lug_height_m, lug_thickness_m or lug_gap_m is not positive (lugs would have no area, or a pair would "
-        "grow together). Set them above 0, or lug_pairs to 0?");
-}
-
 void add_columns(Columns& columns, double begin_rad, double width_rad, std::int64_t count, std::uint8_t lug) {
     for (std::int64_t k = 0; k < count; ++k) {
         columns.begin_rad.push_back(begin_rad + width_rad * (static_cast<double>(k) / static_cast<double>(count)));
@@ -73,9 +41,6 @@ Columns lay_out_columns(const WheelCase& w) {
     const double gap_rad = w.lug_gap_m / w.tread_radius_m;
     const double pitch_rad = 2 * pi / static_cast<double>(w.lug_pairs);
     const double rest_rad = pitch_rad - 2 * lug_rad - gap_rad;
-    require(rest_rad > 0, fmt::format("{} lug pairs do not fit on the tread (a pair takes {:.4g} rad of {:.4g}). Lower "
-                                      "wheel.lug_pairs, lug_thickness_m or lug_gap_m?",
-                                      w.lug_pairs, 2 * lug_rad + gap_rad, pitch_rad));
     for (std::int64_t pair = 0; pair < w.lug_pairs; ++pair) {
         const double begin = phase_rad + pitch_rad * static_cast<double>(pair);
         add_columns(columns, begin, lug_rad, 1, 1);
@@ -179,7 +144,6 @@ WheelMesh make_plate_mesh(double length_m) {
 WheelMesh make_wheel_mesh(const WheelCase& wheel) {
     if (wheel.shape == WheelShape::plate) return make_plate_mesh(wheel.plate_length_m);
     if (!wheel.mesh_file.empty()) return read_gmsh_wheel(wheel);
-    check_wheel(wheel);
     const Columns columns = lay_out_columns(wheel);
     const Rings rings = lay_out_rings(wheel);
     WheelMesh result;
