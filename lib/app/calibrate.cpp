@@ -14,10 +14,11 @@
 
 #include "app/calibrate_report.hpp"
 #include "check/csv.hpp"
+#include "check/measurements.hpp"
 #include "check/statistics.hpp"
 #include "core/error.hpp"
 #include "record/directory_lock.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 #include "soil_tests/world.hpp"
 #include "step/limits.hpp"
 
@@ -111,13 +112,13 @@ void test_all(const CalibrateRequest& request, std::vector<SandVariant>& variant
 }
 
 std::string measurement_table(const SandVariant& sand) {
-    std::string text = csv_line({"name", "value", "units", "scatter", "n", "note"});
+    std::vector<Measurement> measured;
     for (const SandQuantity& q : sand_quantities()) {
         const std::vector<double> values = read_values(sand, q);
-        text += csv_line({q.name, format_number(mean(values)), q.units, format_number(standard_deviation(values)),
-                          std::to_string(values.size()), q.test + ": " + q.title});
+        measured.push_back(
+            {q.name, mean(values), q.units, standard_deviation(values), values.size(), q.test + ": " + q.title});
     }
-    return text;
+    return measurements_csv(measured);
 }
 
 std::string realisation_table(const std::vector<SandVariant>& variants) {

@@ -142,9 +142,7 @@ void draw_box(const SandVariant& sand, const AddCurve& add) {
         const ShearStrength s = read_shear_strength(t);
         for (const ShearTest& test : t.box) {
             std::vector<double> fit;
-            for (const double j : test.displacement_m)
-                fit.push_back((s.cohesion_Pa + s.friction * test.normal_Pa) *
-                              (s.displacement_m > 0 ? 1 - std::exp(-j / s.displacement_m) : 1.0));
+            for (const double j : test.displacement_m) fit.push_back(shear_stress_Pa(s, test.normal_Pa, j));
             add("fit", test.displacement_m, 1e3, fit, 1e-3);  // first, so that it lies below
         }
     }

@@ -5,9 +5,10 @@
 #include <filesystem>
 #include <iterator>
 
+#include "check/measurements.hpp"
 #include "core/error.hpp"
 #include "model/case.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 #include "step/confined_compression.hpp"
 #include "step/soil_pattern.hpp"
 
@@ -44,11 +45,11 @@ std::string stresses(const std::vector<Variant>& variants) {
 }
 
 std::string measurements(const std::vector<Variant>& variants) {
-    std::string text = "name,value,units,scatter,n,note\n";
+    std::vector<Measurement> found;
     for (const Variant& v : variants) {
         const ConfinedPoint& end = v.result.point.back();
         const auto row = [&](const char* what, double value, const char* unit, const char* note) {
-            text += fmt::format("{}_{},{:.6g},{},0,1,{}\n", what, v.name, value, unit, note);
+            found.push_back({fmt::format("{}_{}", what, v.name), value, unit, 0, 1, note});
         };
         row("confined_young", 1e-6 * v.result.young_Pa, "MPa", "Eq 5.9; gradient of the mean stress (Eq 5.10)");
         row("confined_young_of_lid", 1e-6 * v.result.young_of_lid_Pa, "MPa", "Eq 5.9; gradient of the lid's stress");
@@ -59,7 +60,7 @@ std::string measurements(const std::vector<Variant>& variants) {
         row("pattern_density", v.pattern.bulk_density_kg_m3, "kg/m3", "bulk density of the block");
         row("pattern_overlap", 1e6 * v.pattern.mean_overlap_m, "um", "mean overlap of the prepared discs");
     }
-    return text;
+    return measurements_csv(found);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "check/csv.hpp"
+#include "check/measurements.hpp"
 #include "check/run.hpp"
 #include "core/error.hpp"
 
@@ -52,12 +53,10 @@ std::string shear_table(const std::vector<PlateTest>& tests, const ShearStrength
     std::string text = "normal_kPa,displacement_mm,shear_kPa,fit_kPa\n";
     for (const PlateTest& t : tests) {
         if (&t != &tests.front()) text += "\n\n";  // gnuplot: an index a plate
-        const double strength = s.cohesion_Pa + s.friction * t.shear.normal_Pa;
         for (std::size_t k = 0; k < t.shear.shear_Pa.size(); ++k) {
             const double j = t.shear.displacement_m[k];
-            const double mobilised = s.displacement_m > 0 ? 1 - std::exp(-j / s.displacement_m) : 1.0;
             text += fmt::format("{:.5g},{:.5g},{:.5g},{:.5g}\n", 1e-3 * t.shear.normal_Pa, 1e3 * j,
-                                1e-3 * t.shear.shear_Pa[k], 1e-3 * strength * mobilised);
+                                1e-3 * t.shear.shear_Pa[k], 1e-3 * shear_stress_Pa(s, t.shear.normal_Pa, j));
         }
     }
     return text;
@@ -73,16 +72,14 @@ void write_soil(const SoilRequest& request) {
     for (const PlateTest& t : tests) z.push_back(t.sinkage_m), p.push_back(t.pressure_Pa), shear.push_back(t.shear);
     const PressureSinkage pressure = fit_pressure_sinkage(z, p);
     const ShearStrength strength = fit_shear_strength(shear);
-    std::string text = csv_line({"name", "value", "units", "scatter", "n", "note"});
-    const auto add = [&](const char* name, double value, const char* units, const char* note) {
-        text += csv_line({name, fmt::format("{:.8g}", value), units, "", std::to_string(tests.size()), note});
-    };
-    add(modulus_name, pressure.modulus_Pa_mn, "Pa/m^n", "k of p = k z^n, plates pressed in slowly; n counts the loads");
-    add(exponent_name, pressure.exponent, "-", "n of p = k z^n");
-    add(cohesion_name, strength.cohesion_Pa, "Pa", "c, plates dragged");
-    add(friction_name, strength.friction, "-", "tan φ");
-    add(displacement_name, strength.displacement_m, "m", "K of Janosi & Hanamoto");
-    write_text(request.directory + "/measurements.csv", text);
+    const std::size_t n = tests.size();
+    const Measurement found[] = {{modulus_name, pressure.modulus_Pa_mn, "Pa/m^n", 0, n,
+                                  "k of p = k z^n, plates pressed in slowly; n counts the loads"},
+                                 {exponent_name, pressure.exponent, "-", 0, n, "n of p = k z^n"},
+                                 {cohesion_name, strength.cohesion_Pa, "Pa", 0, n, "c, plates dragged"},
+                                 {friction_name, strength.friction, "-", 0, n, "tan φ"},
+                                 {displacement_name, strength.displacement_m, "m", 0, n, "K of Janosi & Hanamoto"}};
+    write_text(request.directory + "/measurements.csv", measurements_csv(found));
     write_text(request.directory + "/plate.csv", plate_table(tests, pressure));
     write_text(request.directory + "/shear.csv", shear_table(tests, strength));
     fmt::print("p = {:.4g} kPa (z/cm)^{:.3f}, c = {:.3g} kPa, tan φ = {:.3f}, K = {:.2f} mm\n",
@@ -91,12 +88,12 @@ void write_soil(const SoilRequest& request) {
 }
 
 SoilParameters read_soil(const std::string& directory) {
-    const CsvTable table = read_csv(directory + "/measurements.csv");
+    const std::string path = directory + "/measurements.csv";
+    const std::vector<Measurement> measured = read_measurements(path);
     const auto find = [&](const char* name) {
-        for (const CsvRow& row : table.rows)
-            if (row.cells[table.require("name")] == name)
-                if (const auto value = parse_number(row.cells[table.require("value")])) return *value;
-        fail_input(fmt::format("{} holds no number {}. Make it with `ifedem soil`?", table.path, name));
+        for (const Measurement& m : measured)
+            if (m.name == name) return m.value;
+        fail_input(fmt::format("{} holds no {}. Make it with `ifedem soil`?", path, name));
     };
     return {{find(modulus_name), find(exponent_name)},
             {find(cohesion_name), find(friction_name), find(displacement_name)}};

@@ -13,7 +13,7 @@
 #include "check/run.hpp"
 #include "core/bitmath.hpp"
 #include "core/error.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 
 namespace ifedem {
 namespace {
@@ -112,14 +112,6 @@ std::string parametric_table(const std::vector<SlipGroup>& groups, const SoilPar
     return text;
 }
 
-std::string measurements_table(const std::vector<SlipGroup>& groups) {
-    std::string text = csv_line({"name", "value", "units", "scatter", "n", "note", "uncertainty"});
-    for (const StressMeasure& m : measure_stress(groups))
-        text += csv_line({m.name, fmt::format("{:.8g}", m.value), m.units, fmt::format("{:.6g}", m.scatter),
-                          std::to_string(m.n), m.note, m.uncertainty ? fmt::format("{:.6g}", *m.uncertainty) : ""});
-    return text;
-}
-
 std::vector<SlipGroup> group_runs(const std::vector<std::string>& directories) {
     std::map<double, std::vector<StressRun>> by_slip;
     for (const std::string& directory : directories) {
@@ -146,7 +138,7 @@ void write_stress(const StressRequest& request) {
     write("load.csv", load_table(groups));
     if (!request.soil_directory.empty())
         write("parametric.csv", parametric_table(groups, read_soil(request.soil_directory)));
-    write("measurements.csv", measurements_table(groups));
+    write("measurements.csv", measurements_csv(measure_stress(groups)));
 }
 
 }  // namespace ifedem

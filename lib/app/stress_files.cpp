@@ -9,7 +9,7 @@
 #include "check/csv.hpp"
 #include "core/bitmath.hpp"
 #include "core/error.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 #include "traction/contact_stress_curve.hpp"
 
 namespace ifedem {
@@ -83,15 +83,9 @@ std::string balance_table(const StressState& stress) {
     return text;
 }
 
-double number(const CsvTable& table, const CsvRow& row, const char* column) {
-    const auto value = parse_number(row.cells[table.require(column)]);
-    if (!value) fail_input(fmt::format("{}:{}: {} is not a number. Run the case again?", table.path, row.line, column));
-    return *value;
-}
-
 /// A whole number from `first` up to but without `end`, counted from 0.
 std::size_t index(const CsvTable& table, const CsvRow& row, const char* column, std::size_t first, std::size_t end) {
-    const double value = number(table, row, column);
+    const double value = number_of(table, row, column);
     if (!(value >= static_cast<double>(first) && value < static_cast<double>(end) && value == std::floor(value)))
         fail_input(fmt::format("{}:{}: {} = {} does not fit the case (it counts from {} to {}). Run it again?",
                                table.path, row.line, column, value, first, end - 1));
@@ -123,12 +117,12 @@ StressState read_contact_stress(const std::string& directory, const Case& c) {
         const std::size_t block = index(blocks, row, "block", 0, stress.block.size());
         const std::size_t segment = index(blocks, row, "segment", 1, stride + 1);
         for (const SegmentColumn& column : segment_columns)
-            stress.segment[block * stride + segment].*column.member = number(blocks, row, column.name);
+            stress.segment[block * stride + segment].*column.member = number_of(blocks, row, column.name);
     }
     for (const CsvRow& row : balance.rows)
         for (const BlockColumn& column : block_columns)
             stress.block[index(balance, row, "block", 0, stress.block.size())].*column.member =
-                number(balance, row, column.name);
+                number_of(balance, row, column.name);
     return stress;
 }
 

@@ -64,11 +64,11 @@ public:
         add_bootstrap(name, units, value, values, fewest_runs());
     }
 
-    void add(StressMeasure m) {
+    void add(Measurement m) {
         if (std::isfinite(m.value)) list_.push_back(std::move(m));
     }
 
-    [[nodiscard]] std::vector<StressMeasure> list() && { return std::move(list_); }
+    [[nodiscard]] std::vector<Measurement> list() && { return std::move(list_); }
 
 private:
     /// 1.96 standard deviations of the replicates: they are near enough to normal, and the tails of 400 are not known
@@ -90,7 +90,7 @@ private:
     }
 
     const std::vector<SlipGroup>& groups_;
-    std::vector<StressMeasure> list_;
+    std::vector<Measurement> list_;
 };
 
 void measure_slip(const SlipGroup& g, Measures& m) {
@@ -227,11 +227,12 @@ void measure_bed(const std::vector<SlipGroup>& groups, Measures& m) {
             const auto found =
                 std::find_if(r.values.begin(), r.values.end(), [&](const RunValue& v) { return v.name == name; });
             const auto value = found == r.values.end() ? std::nullopt : parse_number(found->value);
-            if (!value) return;
+            if (!value) break;  // too small a bed
             porosity.push_back(*value);
             density.push_back((1 - *value) * r.c.soil.density_kg_m3);
             ratio.push_back(*value / (1 - *value));
         }
+        if (porosity.size() < most->run.size()) continue;
         const auto add = [&](const char* name, const char* units, const std::vector<double>& v) {
             m.add({std::string(name) + part, mean(v), units, standard_deviation(v), v.size(),
                    *part == 0 ? "without 10 r_max at floor, walls and surface" : "the whole bed"});
@@ -242,7 +243,7 @@ void measure_bed(const std::vector<SlipGroup>& groups, Measures& m) {
 
 }  // namespace
 
-std::vector<StressMeasure> measure_stress(const std::vector<SlipGroup>& groups) {
+std::vector<Measurement> measure_stress(const std::vector<SlipGroup>& groups) {
     Measures m(groups);
     for (const SlipGroup& g : groups) measure_slip(g, m);
     measure_trends(groups, m);

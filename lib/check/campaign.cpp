@@ -16,40 +16,17 @@
 namespace ifedem {
 namespace {
 
-double cell_number(const CsvTable& table, const CsvRow& row, const char* column) {
-    const auto value = parse_number(row.cells[table.require(column)]);
-    if (!value) fail_input(fmt::format("{}:{}: {} is not a number. Write one?", table.path, row.line, column));
-    return *value;
-}
-
 void read_stiffness(const std::filesystem::path& directory, Campaign& campaign) {
     const CsvTable summary = read_csv((directory / "stiffness_summary.csv").string());
     for (const auto& row : summary.rows)
-        campaign.stiffness.push_back({row.cells[summary.require("wheel")], cell_number(summary, row, "stiffness_N_mm"),
-                                      cell_number(summary, row, "min_N_mm"), cell_number(summary, row, "max_N_mm")});
+        campaign.stiffness.push_back({row.cells[summary.require("wheel")], number_of(summary, row, "stiffness_N_mm"),
+                                      number_of(summary, row, "min_N_mm"), number_of(summary, row, "max_N_mm")});
     const auto points_path = directory / "stiffness.csv";
     if (!std::filesystem::exists(points_path)) return;
     const CsvTable points = read_csv(points_path.string());
     for (const auto& row : points.rows)
-        campaign.stiffness_points.push_back({row.cells[points.require("wheel")], cell_number(points, row, "phase_deg"),
-                                             cell_number(points, row, "deflection_m"),
-                                             cell_number(points, row, "load_N")});
-}
-
-void read_measurements(const std::filesystem::path& directory, Campaign& campaign) {
-    const CsvTable table = read_csv((directory / "measurements.csv").string());
-    const auto uncertainty = table.find("uncertainty");
-    std::vector<Measurement> rows;
-    for (const auto& row : table.rows) {
-        const std::size_t n = count_of(table, row, "n");
-        if (n < 1)
-            fail_input(fmt::format("{}:{}: n is below 1. Write the number of realisations?", table.path, row.line));
-        rows.push_back(
-            {row.cells[table.require("name")], cell_number(table, row, "value"), row.cells[table.require("units")],
-             row.cells[table.require("scatter")].empty() ? 0 : cell_number(table, row, "scatter"), n,
-             row.cells[table.require("note")], uncertainty ? parse_number(row.cells[*uncertainty]) : std::nullopt});
-    }
-    campaign.measurements.insert(campaign.measurements.end(), rows.begin(), rows.end());
+        campaign.stiffness_points.push_back({row.cells[points.require("wheel")], number_of(points, row, "phase_deg"),
+                                             number_of(points, row, "deflection_m"), number_of(points, row, "load_N")});
 }
 
 void read_doubts(const std::filesystem::path& directory, Campaign& campaign) {
@@ -59,7 +36,7 @@ void read_doubts(const std::filesystem::path& directory, Campaign& campaign) {
         const auto number = [&](const char* column) { return number_or_infinity(table, row, column); };
         campaign.doubts.push_back({text("variation"), text("changes"), text("quantity"), text("unit"),
                                    count_of(table, row, "n"), number("difference"), number("half_width"),
-                                   number("tolerance"), text("verdict"), cell_number(table, row, "relative_cost"),
+                                   number("tolerance"), text("verdict"), number_of(table, row, "relative_cost"),
                                    text("note")});
     }
 }
@@ -107,13 +84,12 @@ void require_realisations(const Campaign& campaign) {
 MeasuredRun measure_run(Run run) {
     MeasuredRun m{std::move(run), {}, {}, {}};
     m.condition = condition_of(m.run.c);
-    Window window = averaging_window(m.run.c);
-    const double distance = m.run.c.travel.distance_m;
-    if (distance < window.to_m) {
-        m.shortfall = fmt::format("{} travelled {:g} m of the {:g} m that the text's window needs", m.run.name,
-                                  distance, window.to_m);
-        const double last_pitch = distance - lug_pair_pitch_m(m.run.c);
-        window = {std::max(0.0, std::min(distance * window.from_m / window.to_m, last_pitch)), distance};
+    const double needed = averaging_window(m.run.c).to_m, distance = m.run.c.travel.distance_m;
+    Window window = compared_window(m.run.c);
+    if (distance < needed * (1 - 1e-12)) {  // a difference of places, rounded
+        m.shortfall =
+            fmt::format("{} travelled {:g} m of the {:g} m that the text's window needs", m.run.name, distance, needed);
+        window.from_m = std::max(0.0, std::min(window.from_m, distance - lug_pair_pitch_m(m.run.c)));
     }
     try {
         m.metrics = measure(m.run, window);
@@ -136,7 +112,10 @@ void read_directory(const std::string& name, Campaign& campaign) {
                         "run directories?",
                         name));
     if (is_doubt) read_doubts(directory, campaign);
-    if (is_measured) read_measurements(directory, campaign);
+    if (is_measured) {
+        const auto rows = read_measurements((directory / "measurements.csv").string());
+        campaign.measurements.insert(campaign.measurements.end(), rows.begin(), rows.end());
+    }
     if (std::filesystem::exists(directory / "effects.csv")) {
         const auto effects = read_effects((directory / "effects.csv").string());
         campaign.effects.insert(campaign.effects.end(), effects.begin(), effects.end());

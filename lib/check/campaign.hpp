@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "check/measurements.hpp"
 #include "check/metrics.hpp"
 #include "check/run.hpp"
 #include "check/statistics.hpp"
@@ -22,19 +23,6 @@ struct StiffnessSummary {
     double stiffness_N_mm = 0;
     double least_N_mm = 0;  ///< over lug phases
     double most_N_mm = 0;
-};
-
-/// One line of a directory's measurements.csv: a quantity that a test or a tool measured, its standard deviation over
-/// n realisations, and a word on how. A tool that knows its U better than scatter and n tell gives it in a column
-/// `uncertainty`.
-struct Measurement {
-    std::string name;
-    double value = 0;
-    std::string units;
-    double scatter = 0;
-    std::size_t n = 1;
-    std::string note;
-    std::optional<double> uncertainty;
 };
 
 /// What a variation of one input does to one metric under one condition, against the default's same realisations.

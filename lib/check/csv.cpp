@@ -96,10 +96,13 @@ void write_text(const std::string& path, const std::string& text) {
     const std::filesystem::path target(path);
     std::error_code ignored;
     if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), ignored);
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    const std::string temporary = path + ".tmp";  // a reader never sees half a table
+    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
     file << text;
     file.close();
-    if (!file)
+    std::error_code fault;
+    if (file) std::filesystem::rename(temporary, target, fault);
+    if (!file || fault)
         fail_io(fmt::format("Cannot write {} (no such directory, no space or not permitted). Check the path?", path));
 }
 
@@ -133,6 +136,14 @@ std::optional<double> parse_number(std::string_view text) {
 
 double number_or_infinity(const CsvTable& table, const CsvRow& row, std::string_view column) {
     return parse_number(row.cells[table.require(column)]).value_or(std::numeric_limits<double>::infinity());
+}
+
+double number_of(const CsvTable& table, const CsvRow& row, std::string_view column) {
+    const auto value = parse_number(row.cells[table.require(column)]);
+    if (!value)
+        fail_input(
+            fmt::format("{}:{}: {} is not a number. Write one, or make the file anew?", table.path, row.line, column));
+    return *value;
 }
 
 std::size_t count_of(const CsvTable& table, const CsvRow& row, std::string_view column) {

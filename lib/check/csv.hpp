@@ -33,7 +33,7 @@ struct CsvTable {
 /// The whole file. Throws Error(io).
 [[nodiscard]] std::string read_text(const std::string& path);
 
-/// Creates the directories above. Throws Error(io).
+/// Creates the directories above; the file appears whole or not at all. Throws Error(io).
 void write_text(const std::string& path, const std::string& text);
 
 /// A cell as it stands in a file: in quotes only if it has to be.
@@ -48,6 +48,9 @@ void write_text(const std::string& path, const std::string& text);
 /// A row's number in a column; infinite where the cell is empty or no number: what is not known, such as the half-width
 /// of a single run. Throws Error(bad_input) if the column is missing.
 [[nodiscard]] double number_or_infinity(const CsvTable& table, const CsvRow& row, std::string_view column);
+
+/// A row's number in a column. Throws Error(bad_input) if it is none or the column is missing.
+[[nodiscard]] double number_of(const CsvTable& table, const CsvRow& row, std::string_view column);
 
 /// A row's count in a column, 0 where the cell is empty. Throws Error(bad_input) if it is no whole number.
 [[nodiscard]] std::size_t count_of(const CsvTable& table, const CsvRow& row, std::string_view column);

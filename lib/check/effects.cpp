@@ -71,6 +71,16 @@ std::string shorten(const std::string& changes) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// Effects are named by variant, planet and slip.
+void require_own_name(const Condition& condition, const std::map<Condition, Pairs>& conditions) {
+    for (const auto& [other, pairs] : conditions)
+        if (!(other == condition) && other.gravity == condition.gravity && other.slip_percent == condition.slip_percent)
+            fail_input(
+                fmt::format("{} and {} have the same planet and slip (effects are named by these). Measure them "
+                            "apart?",
+                            to_text(condition), to_text(other)));
+}
+
 }  // namespace
 
 std::string describe_changes(const Case& from, const Case& to) {
@@ -113,8 +123,10 @@ std::vector<Effect> measure_effects(const std::vector<std::string>& default_dirs
     }
     std::vector<Effect> effects;
     for (const auto& variant : order)
-        for (const auto& [condition, pairs] : found[variant])
+        for (const auto& [condition, pairs] : found[variant]) {
+            require_own_name(condition, found[variant]);
             for (const char* name : judged) effects.push_back(summarise(variant, pairs, *find_metric(name), campaign));
+        }
     return effects;
 }
 
@@ -122,18 +134,17 @@ void write_effects(const std::vector<std::string>& default_dirs, const std::vect
                    const std::string& directory) {
     std::string table =
         "variant,changes,gravity,load_N,slip_percent,n,metric,default,default_U,value,value_U,effect,half_width\n";
-    std::string measurements = "name,value,units,scatter,n,note,uncertainty\n";
+    std::vector<Measurement> measurements;
     for (const auto& e : measure_effects(default_dirs, variant_dirs)) {
         table += csv_line({e.variant, e.changes, e.gravity, format_number(e.load_N), format_number(e.slip_percent),
                            std::to_string(e.n), e.metric, format_number(e.before), format_number(e.before_uncertainty),
                            format_number(e.after), format_number(e.after_uncertainty), format_number(e.effect),
                            format_number(e.half_width)});
-        measurements += csv_line({fmt::format("{}:{}:s{:g}:{}", e.variant, e.gravity, e.slip_percent, e.metric),
-                                  format_number(e.effect), std::string(find_metric(e.metric)->unit), "",
-                                  std::to_string(e.n), e.changes, format_number(e.half_width)});
+        measurements.push_back({fmt::format("{}:{}:s{:g}:{}", e.variant, e.gravity, e.slip_percent, e.metric), e.effect,
+                                std::string(find_metric(e.metric)->unit), 0, e.n, e.changes, e.half_width});
     }
     write_text(directory + "/effects.csv", table);
-    write_text(directory + "/measurements.csv", measurements);
+    write_text(directory + "/measurements.csv", measurements_csv(measurements));
 }
 
 std::vector<Effect> read_effects(const std::string& path) {

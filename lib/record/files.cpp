@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "record/results.hpp"
 
 namespace ifedem {
 namespace {

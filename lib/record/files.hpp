@@ -57,6 +57,9 @@ private:
 /// `path` holds the old bytes or the new ones at every instant. Throws Error(io).
 void write_bytes_atomically(const std::string& path, std::span<const std::byte> bytes);
 
+/// The same for text.
+void write_file_atomically(const std::string& path, const std::string& text);
+
 /// Renames a finished, synced file over `path` and syncs the directory, so that the new name survives a power cut.
 void replace_file(const std::string& finished, const std::string& path);
 

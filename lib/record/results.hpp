@@ -88,7 +88,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// Writes text to a temporary file in the same directory, syncs and renames it. Throws Error(io).
-void write_file_atomically(const std::string& path, const std::string& text);
-
 }  // namespace ifedem

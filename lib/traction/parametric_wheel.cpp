@@ -24,13 +24,9 @@ double normal_Pa(const ParametricWheel& w, double slip, double entry, double at)
 }
 
 double tangential_Pa(const ParametricWheel& w, double slip, double entry, double at) {
-    const double sigma = normal_Pa(w, slip, entry, at);
     const double j = w.arc.radius_m * ((entry - at) - (1.0 - slip) * (std::sin(entry) - std::sin(at)));
-    const double strength = w.shear.cohesion_Pa + sigma * w.shear.friction;
     if (at > entry || at < w.rear_rad || j == 0) return 0;
-    if (!(w.shear.displacement_m > 0)) return j > 0 ? strength : -strength;
-    const double mobilised = 1.0 - std::exp(-std::fabs(j) / w.shear.displacement_m);
-    return j > 0 ? strength * mobilised : -strength * mobilised;
+    return std::copysign(shear_stress_Pa(w.shear, normal_Pa(w, slip, entry, at), std::fabs(j)), j);
 }
 
 void check(const ParametricWheel& w, double slip) {
@@ -109,6 +105,12 @@ double find_entry_rad(const ParametricWheel& wheel, double slip, double load_N) 
 }
 
 }  // namespace
+
+double shear_stress_Pa(const ShearStrength& shear, double normal_Pa, double displacement_m) {
+    const double strength = shear.cohesion_Pa + normal_Pa * shear.friction;
+    if (!(shear.displacement_m > 0)) return strength;
+    return strength * (1.0 - std::exp(-displacement_m / shear.displacement_m));
+}
 
 StressField wheel_stress(const ParametricWheel& wheel, double slip, double entry_rad) {
     check(wheel, slip);

@@ -18,6 +18,9 @@ struct ShearStrength {
     double displacement_m = 0;  ///< K; 0: full strength at once
 };
 
+/// τ under the normal stress σ at j ≥ 0.
+[[nodiscard]] double shear_stress_Pa(const ShearStrength& shear, double normal_Pa, double displacement_m);
+
 /// Angles are measured from bottom dead centre, forwards > 0, as that paper does.
 struct ParametricWheel {
     ContactArc arc;

@@ -12,15 +12,14 @@ namespace ifedem::chapter2 {
 Output::Output(std::string directory) : directory_(std::move(directory)) {}
 
 void Output::add(const std::string& name, double value, const std::string& units, const std::string& note) {
-    lines_ += csv_line({name, fmt::format("{:.9g}", value), units, "0", "1", note, ""});
+    measured_.push_back({name, value, units, 0, 1, note});
     fmt::print("{:<44} {:>14.8g} {}\n", name, value, units);
 }
 
 void Output::add(const std::string& name, std::span<const double> values, const std::string& units,
                  const std::string& note) {
     const double middle = mean(values), scatter = standard_deviation(values);
-    lines_ += csv_line({name, fmt::format("{:.9g}", middle), units, fmt::format("{:.6g}", scatter),
-                        std::to_string(values.size()), note, ""});
+    measured_.push_back({name, middle, units, scatter, values.size(), note});
     fmt::print("{:<44} {:>14.8g} {} (s {:.3g}, n {})\n", name, middle, units, scatter, values.size());
 }
 
@@ -29,8 +28,7 @@ void Output::add_difference(const std::string& name, std::span<const double> val
     const std::vector<double> zero(values.size(), 0.0);
     const PairedDifference d = paired_difference(zero, values);
     const double scatter = standard_deviation(values);
-    lines_ += csv_line({name, fmt::format("{:.9g}", d.mean), units, fmt::format("{:.6g}", scatter), std::to_string(d.n),
-                        note, fmt::format("{:.6g}", d.half_width)});
+    measured_.push_back({name, d.mean, units, scatter, d.n, note, d.half_width});
     fmt::print("{:<44} {:>14.8g} {} (± {:.3g}, s {:.3g}, n {})\n", name, d.mean, units, d.half_width, scatter, d.n);
 }
 
@@ -41,9 +39,7 @@ void Output::write_table(const std::string& file, const std::string& header,
     write_text(directory_ + "/" + file, text);
 }
 
-void Output::finish() const {
-    write_text(directory_ + "/measurements.csv", "name,value,units,scatter,n,note,uncertainty\n" + lines_);
-}
+void Output::finish() const { write_text(directory_ + "/measurements.csv", measurements_csv(measured_)); }
 
 std::string number(double value) { return format_number(value); }
 

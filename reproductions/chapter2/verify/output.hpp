@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "check/measurements.hpp"
+
 namespace ifedem::chapter2 {
 
 enum class Effort { quick, full };  ///< quick: fewer realisations and levels, for continuous integration
@@ -31,7 +33,8 @@ public:
     [[nodiscard]] const std::string& directory() const { return directory_; }
 
 private:
-    std::string directory_, lines_;
+    std::string directory_;
+    std::vector<Measurement> measured_;
 };
 
 /// Six significant digits.
