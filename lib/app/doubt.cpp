@@ -12,7 +12,7 @@
 #include "core/error.hpp"
 #include "model/case_changes.hpp"
 #include "record/directory_lock.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 #include "step/limits.hpp"
 #include "step/stages.hpp"
 

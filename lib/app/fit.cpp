@@ -14,7 +14,7 @@
 #include "core/error.hpp"
 #include "model/case_changes.hpp"
 #include "record/directory_lock.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 #include "step/limits.hpp"
 #include "step/stages.hpp"
 
@@ -177,6 +177,16 @@ bool is_pointless(const Fit& fit, const Reduction& reduction, const Case& c) {
     return reduction.saves == Saves::disc_steps && fit.cost_of(fit.kept.c) - fit.cost_of(c) < least_saving;
 }
 
+/// A health check, a step limit or a rule of cases says something about the trial; a full disk or a killed run does
+/// not.
+void refuse_accident(const Variant& trial, const MeasuredVariant& measured) {
+    for (const ExitCode told : {ExitCode::done, ExitCode::bad_input, ExitCode::health})
+        if (measured.status == static_cast<int>(told)) return;
+    throw Error(static_cast<ExitCode>(measured.status),
+                fmt::format("{}: {} (which says nothing about the trial). Mend the cause and give the command again?",
+                            trial.name, measured.note));
+}
+
 /// Tries less of one thing on top of `before`, what was kept of the things before it.
 Trial try_reduction(Fit& fit, const Reduction& reduction, const Kept& before, double share) {
     const std::string name = fmt::format("{}-{}", reduction.name, share);
@@ -186,6 +196,7 @@ Trial try_reduction(Fit& fit, const Reduction& reduction, const Kept& before, do
     measured.note = find_obstacle(fit, trial);
     if (measured.note.empty()) measured = measure_variants(fit.runs, {trial}).front();
     if (signal_of_children() != 0) return Trial::pointless;
+    refuse_accident(trial, measured);
     const Decision decision = measured.metrics.empty() ? Decision{Trial::refused, "refused: " + measured.note}
                                                        : decide(fit, measured.metrics);
     if (decision.trial == Trial::kept)

@@ -47,6 +47,13 @@ Override to_override(const std::string& text) {
     return {text.substr(0, at), text.substr(at + 1)};
 }
 
+void add_sets(CLI::App& command, std::vector<Override>& overrides) {
+    const auto keep = [&overrides](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) overrides.push_back(to_override(text));
+    };
+    command.add_option_function<std::vector<std::string>>("--set", keep, "override a key: table.key=value")->take_all();
+}
+
 constexpr const char* cache_help = "cache of finished stages (build/stages where the program is started)";
 
 void allow_unstable(CLI::App& command, RunRequest& request) {
@@ -55,11 +62,11 @@ void allow_unstable(CLI::App& command, RunRequest& request) {
         "go on with a time step beyond a limit");
 }
 
-void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets, int& code) {
+void add_run(CLI::App& app, RunRequest& request, int& code) {
     auto* run = app.add_subcommand("run", "simulate a case");
     run->add_option("case", request.case_path, "case file (TOML)")->required();
     run->add_option("-o,--output", request.directory, "run directory")->required();
-    run->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    add_sets(*run, request.overrides);
     run->add_option("--threads", request.threads, "threads for one case")->check(CLI::Range(1, 256));
     run->add_option("--stages", request.stage_cache, cache_help);
     run->add_flag_callback(
@@ -72,16 +79,15 @@ void add_run(CLI::App& app, RunRequest& request, std::vector<std::string>& sets,
         ->check(CLI::Range(1.0, 1e15));
     run->add_flag("--profile", request.profile, "print the CPU time of each phase of the step (of the first thread)");
     run->callback([&] {
-        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
         if (request.directory.empty()) fail_input("-o is empty (there is nowhere to write to). Name a directory?");
         code = run_case(request);
     });
 }
 
-void add_stage(CLI::App& app, RunRequest& request, std::vector<std::string>& sets, int& code) {
+void add_stage(CLI::App& app, RunRequest& request, int& code) {
     auto* stage = app.add_subcommand("prepare", "simulate consolidation and free sinkage into the stage cache");
     stage->add_option("case", request.case_path, "case file (TOML)")->required();
-    stage->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    add_sets(*stage, request.overrides);
     stage->add_option("--threads", request.threads, "threads")->check(CLI::Range(1, 256));
     stage->add_option("--stages", request.stage_cache, cache_help);
     stage->add_flag_callback(
@@ -90,10 +96,7 @@ void add_stage(CLI::App& app, RunRequest& request, std::vector<std::string>& set
     stage->add_flag_callback(
         "--bed", [&] { request.last_stage = Stage::consolidation; }, "consolidation only: wheels and loads share it");
     allow_unstable(*stage, request);
-    stage->callback([&] {
-        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
-        code = run_case(request);
-    });
+    stage->callback([&] { code = run_case(request); });
 }
 
 void add_resume(CLI::App& app, RunRequest& request, int& code) {
@@ -111,59 +114,50 @@ void add_resume(CLI::App& app, RunRequest& request, int& code) {
     resume->callback([&] { code = resume_case(request); });
 }
 
-void add_sweep(CLI::App& app, SweepRequest& request, std::vector<std::string>& sets, int& code) {
+void add_sweep(CLI::App& app, SweepRequest& request, int& code) {
     auto* sweep = app.add_subcommand("sweep", "run a case for loads and slips: curves, pictures, CSV and a report");
     sweep->add_option("case", request.case_path, "case file (TOML)")->required();
     sweep->add_option("-o,--output", request.directory, "directory of the runs and the report")->required();
     sweep->add_option("--slip", request.slips, "slips in %: 0:70:10 or 0,20,60");
     sweep->add_option("--load", request.loads, "loads in N: 50,100");
     sweep->add_option("--jobs", request.jobs, "runs at the same time")->check(CLI::Range(1, 1024));
-    sweep->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    add_sets(*sweep, request.overrides);
     sweep->add_option("--stages", request.stage_cache, cache_help);
-    sweep->callback([&] {
-        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
-        code = run_sweep(request);
-    });
+    sweep->callback([&] { code = run_sweep(request); });
 }
 
 /// What doubt and fit have in common.
 template <class Request>
-void add_comparison(CLI::App& command, Request& request, std::vector<std::string>& sets) {
+void add_comparison(CLI::App& command, Request& request) {
     command.add_option("case", request.case_path, "case file (TOML)")->required();
     command.add_option("--quantities", request.quantities, "H,Pd,R,z or names of `ifedem metrics`");
     command.add_option("--tolerance", request.tolerance, "share of a quantity that does not matter: 5%");
     command.add_option("--n", request.realisations, "realisations (packing and lug phase) of each variant");
     command.add_option("--jobs", request.options.jobs, "runs at the same time")->check(CLI::Range(1, 1024));
-    command.add_option("--set", sets, "override a key: table.key=value")->take_all();
+    add_sets(command, request.overrides);
     command.add_option("--stages", request.options.stage_cache, cache_help);
 }
 
-void add_doubt(CLI::App& app, DoubtRequest& request, std::vector<std::string>& sets, int& code) {
+void add_doubt(CLI::App& app, DoubtRequest& request, int& code) {
     auto* doubt =
         app.add_subcommand("doubt", "what moves with twice the depth, length and resolution, or half the step");
-    add_comparison(*doubt, request, sets);
+    add_comparison(*doubt, request);
     doubt->add_option("-o,--output", request.directory, "directory of the runs and doubt.csv")->required();
     doubt->add_option("--only", request.increases, "what may be more: depth,length,discs,region,mesh,step");
-    doubt->callback([&] {
-        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
-        code = run_doubt(request);
-    });
+    doubt->callback([&] { code = run_doubt(request); });
 }
 
-void add_fit(CLI::App& app, FitRequest& request, std::vector<std::string>& sets, int& code) {
+void add_fit(CLI::App& app, FitRequest& request, int& code) {
     auto* fit = app.add_subcommand("fit", "the least model with the same quantities within a tolerance");
-    add_comparison(*fit, request, sets);
+    add_comparison(*fit, request);
     fit->add_option("-o,--output", request.output, "the smaller case (.toml); its log and runs go beside it")
         ->required();
     fit->add_option("--evidence", request.evidence, "shown: |difference| + half-width within it; mean: |difference|");
     fit->add_option("--only", request.reductions, "what may be less, in order: step,depth,behind,ahead,region,mesh");
-    fit->callback([&] {
-        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
-        code = run_fit(request);
-    });
+    fit->callback([&] { code = run_fit(request); });
 }
 
-void add_calibrate(CLI::App& app, CalibrateRequest& request, std::vector<std::string>& sets) {
+void add_calibrate(CLI::App& app, CalibrateRequest& request) {
     auto* command = app.add_subcommand(
         "calibrate",
         "test a case's sand as a laboratory does: porosity, angle of repose, confined and biaxial compression, direct "
@@ -177,17 +171,14 @@ void add_calibrate(CLI::App& app, CalibrateRequest& request, std::vector<std::st
         ->add_option("--stress", request.stress_kPa,
                      "kPa: lateral in biaxial compression; direct shear under half, all and twice of it")
         ->check(CLI::Range(1e-6, 1e6));
-    command->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    add_sets(*command, request.overrides);
     command->add_flag_callback(
         "--quick", [&] { request.effort = Effort::quick; }, "small samples: a look, not a measurement");
     command->add_flag_callback(
         "--knobs", [&] { request.knobs = Knobs::turn; },
         "also measure what alpha, mu, stiffness and the friction of consolidation do to each quantity (six times the "
         "work)");
-    command->callback([&] {
-        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
-        calibrate(request);
-    });
+    command->callback([&] { calibrate(request); });
 }
 
 struct CheckArguments {
@@ -265,16 +256,13 @@ void add_points(CLI::App& app, PointsArguments& a) {
     });
 }
 
-void add_find(CLI::App& app, FindRequest& request, std::vector<std::string>& sets) {
+void add_find(CLI::App& app, FindRequest& request) {
     auto* find = app.add_subcommand(
         "find", "disc-steps of a case (before travel, travel) and which directory holds a finished run of it, or -");
     find->add_option("case", request.case_path, "case file (TOML)")->required();
-    find->add_option("--set", sets, "override a key: table.key=value")->take_all();
+    add_sets(*find, request.overrides);
     find->add_option("--among", request.directories, "directories of runs");
-    find->callback([&] {
-        for (const std::string& s : sets) request.overrides.push_back(to_override(s));
-        fmt::print("{}\n", find_run(request));
-    });
+    find->callback([&] { fmt::print("{}\n", find_run(request)); });
 }
 
 struct PictureArguments {
@@ -398,22 +386,21 @@ struct Requests {
     SurfaceRequest surface;
     LedgerArguments ledger;
     WatchRequest watch;
-    std::vector<std::string> sets;  ///< --set of the one subcommand that there is
 };
 
 void add_all(CLI::App& app, Requests& r, int& code) {
-    add_run(app, r.run, r.sets, code);
-    add_stage(app, r.stage, r.sets, code);
+    add_run(app, r.run, code);
+    add_stage(app, r.stage, code);
     add_resume(app, r.resume, code);
-    add_sweep(app, r.sweep, r.sets, code);
-    add_doubt(app, r.doubt, r.sets, code);
-    add_fit(app, r.fit, r.sets, code);
-    add_calibrate(app, r.calibrate, r.sets);
+    add_sweep(app, r.sweep, code);
+    add_doubt(app, r.doubt, code);
+    add_fit(app, r.fit, code);
+    add_calibrate(app, r.calibrate);
     add_check_and_report(app, r.check, code);
     add_picture(app, r.picture);
     add_effects(app, r.effects);
     add_points(app, r.points);
-    add_find(app, r.find, r.sets);
+    add_find(app, r.find);
     app.add_subcommand("describe", "the manual of keys")->callback([] { fmt::print("{}", describe_keys()); });
     add_compare(app, r.compare, code);
     add_stiffness(app, r.stiffness);

@@ -4,20 +4,20 @@
 
 #include "check/metrics.hpp"
 #include "check/run.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 
 namespace ifedem {
 
 void write_metrics(const std::vector<std::string>& run_directories, const std::string& out_path) {
     std::string text = "run";
     for (const MetricInfo& m : metric_table()) text += fmt::format(",{}", m.name);
-    text += ",drawbar_deviation_N\n";
+    text += "\n";
     for (const std::string& directory : run_directories) {
         const Run run = read_run(directory);
         const RunMetrics metrics = measure(run, compared_window(run.c));
         text += run.name;
         for (const MetricInfo& m : metric_table()) text += fmt::format(",{:.5g}", metrics.*m.member);
-        text += fmt::format(",{:.4g}\n", metrics.drawbar_deviation_N);
+        text += "\n";
     }
     write_file_atomically(out_path, text);
 }

@@ -430,11 +430,24 @@ void empty_directory(const fs::path& directory) {
     }
 }
 
+/// A run that begins behind the step that it is to stop at would never stop.
+void refuse_early_stop(const LiveRun& run) {
+    const std::uint64_t begin = run.state.progress.total_steps, stop = run.request.stop_at_step;
+    if (stop != 0 && stop <= begin)
+        fail_input(
+            fmt::format("--stop-at-step {} has passed (the run begins at step {}, with what is kept of it or of "
+                        "its stages). Give a later step?",
+                        stop, begin));
+}
+
 int start_run(LiveRun& run) {
     Stage first = Stage::consolidation;
     run.state = find_beginning(run, first);
-    if (!run.request.directory.empty())
-        run.recorder = std::make_unique<Recorder>(run.request.directory, run.c, make_wheel_mesh(run.c.wheel));
+    refuse_early_stop(run);
+    if (const std::string& dir = run.request.directory; !dir.empty()) {
+        empty_directory(dir);
+        run.recorder = std::make_unique<Recorder>(dir, run.c, make_wheel_mesh(run.c.wheel));
+    }
     run.state.progress.stage = first;
     run.state.progress.step = 0;
     return go_through_stages(run, first);
@@ -467,6 +480,8 @@ bool take_up(LiveRun& run) {
         refuse_changed_case(run.request.directory + "/case.toml", checkpoint.c);
         run.c = checkpoint.c;
         run.state = std::move(checkpoint.state);
+        refuse_early_stop(run);
+        fs::remove(run.request.directory + "/run.csv");  // of a run that was stopped while its pictures were drawn
         run.recorder =
             std::make_unique<Recorder>(run.request.directory, run.c, make_wheel_mesh(run.c.wheel), run.state.progress);
         run.before = checkpoint.spent;
@@ -490,7 +505,6 @@ int run_case(const RunRequest& request) {
         fs::create_directories(dir);
         run.lock = DirectoryLock(dir, Busy::refuse);
         refuse_directory(request);  // another run may have come in between
-        empty_directory(dir);
     }
     return start_run(run);
 }
@@ -509,8 +523,7 @@ int resume_case(const RunRequest& request) {
         return static_cast<int>(ExitCode::done);
     }
     if (stopped && take_up(run)) return go_through_stages(run, run.state.progress.stage);
-    run.c = read_case(dir + "/case.toml");  // before anything is removed
-    empty_directory(dir);
+    run.c = read_case(dir + "/case.toml");
     return start_run(run);
 }
 

@@ -25,16 +25,18 @@ std::vector<RunValue> describe_stage(const Case& c, const State& state, Stage st
     const double largest = *std::max_element(c.soil.radii_m.begin(), c.soil.radii_m.end());
     const double surface = measure_surface_m(state.discs, c.bed.length_m, largest);
     const auto number = [](double v) { return fmt::format("{:.6g}", v); };
-    // The layers next to floor and surface are not soil in bulk: leave out 10 r_max of each.
-    const double margin = 10 * largest;
     std::vector<RunValue> values = {
         {"v_rms_m_s", number(rms_speed_m_s(state.discs)), "m/s"},
         {"surface_m", number(surface), "m"},
-        {"porosity", number(measure_porosity(state.discs, c.bed.length_m, margin, margin, surface - margin)), ""},
     };
+    // What is within 10 r_max of a border is not soil in bulk, and in a small bed there is nothing else.
+    const double margin = 10 * largest, length = c.bed.length_m;
+    if (std::min(surface, length) > 2 * margin)
+        values.push_back(
+            {"porosity", number(measure_porosity(state.discs, length, margin, margin, surface - margin)), ""});
     double area = 0;
     for (const Disc& d : state.discs.disc) area += pi * d.radius_m * d.radius_m;
-    values.push_back({"porosity_whole", number(1 - area / (c.bed.length_m * surface)), ""});
+    values.push_back({"porosity_whole", number(1 - area / (length * surface)), ""});
     if (stage == Stage::sinkage)
         values.push_back({"sinkage_m", number(state.wheel.rim.position_m.y - state.touch_position_m.y), "m"});
     return values;

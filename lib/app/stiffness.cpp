@@ -7,7 +7,7 @@
 #include "check/run.hpp"
 #include "fem/radial_stiffness.hpp"
 #include "model/case.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 
 namespace ifedem {
 

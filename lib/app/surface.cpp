@@ -9,8 +9,8 @@
 
 #include "core/error.hpp"
 #include "model/case.hpp"
+#include "record/files.hpp"
 #include "record/frame_file.hpp"
-#include "record/results.hpp"
 #include "record/soil_files.hpp"
 
 namespace ifedem {
@@ -41,8 +41,7 @@ void raise_along(Profile& profile, Vec2 left, Vec2 right) {
     }
 }
 
-Profile profile_of(const std::string& run, const std::string& results, std::size_t number, double length_m) {
-    const Frame frame = read_frame(results, number);
+Profile profile_of(const std::string& run, const Frame& frame, double length_m) {
     Profile profile;
     profile.length_m = length_m;
     profile.top_m.resize(static_cast<std::size_t>(std::lround(length_m / column_m)), 0.0);
@@ -59,11 +58,12 @@ Profile profile_of(const std::string& run, const std::string& results, std::size
 
 void write_surface(const SurfaceRequest& request) {
     const std::string path = request.run + "/results.h5";
-    const std::size_t count = read_frame_list(path).size();
+    const FrameReader results(path);
+    const std::size_t count = results.frames().size();
     if (count == 0) fail_input(fmt::format("{} holds no frame (was the run stopped?). Run the case again?", path));
-    const double length = parse_case(read_frame_header(path).case_text, path).bed.length_m;
-    const Profile first = profile_of(request.run, path, 0, length),
-                  last = profile_of(request.run, path, count - 1, length);
+    const double length = parse_case(results.header().case_text, path).bed.length_m;
+    const Profile first = profile_of(request.run, results.read(0), length),
+                  last = profile_of(request.run, results.read(count - 1), length);
     std::string text = "x_m,top_m,first_m\n";
     for (std::size_t n = 0; n < last.top_m.size(); ++n)
         fmt::format_to(std::back_inserter(text), "{:.5f},{:.5f},{:.5f}\n",

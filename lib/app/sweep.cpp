@@ -56,6 +56,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
             plan.runs.push_back(
                 want_run(request.case_path, settings_of(request, load, slip), request.directory + "/" + point.name));
             point.c = plan.runs.back().c;
+            (void)trim(sweep_window(point.c), lug_pair_pitch_m(point.c));  // refuses what cannot be measured
             plan.points.push_back(std::move(point));
         }
     }

@@ -13,7 +13,7 @@
 #include "check/document.hpp"
 #include "check/gnuplot.hpp"
 #include "core/error.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 
 namespace ifedem {
 namespace {
@@ -41,7 +41,7 @@ double tractive_efficiency(const SweepPoint& point) {
     return m.net_traction_N * (1 - m.measured_slip_percent / 100) / m.gross_tractive_effort_N;
 }
 
-/// The last half of the travel, in whole lug pitches where one fits.
+/// Over the window, in whole lug pitches.
 void measure_point(SweepPoint& point, const std::string& directory) {
     point.metrics = unknown_metrics();
     if (point.status != 0) {
@@ -51,7 +51,7 @@ void measure_point(SweepPoint& point, const std::string& directory) {
     }
     try {
         const Run run = read_run(directory + "/" + point.name);
-        point.metrics = measure(run, {0.5 * point.c.travel.distance_m, point.c.travel.distance_m});
+        point.metrics = measure(run, sweep_window(point.c));
     } catch (const Error& error) {
         point.note = error.what();
     }
@@ -105,14 +105,20 @@ FigureGroup draw_curves(const std::string& directory, const std::vector<SweepPoi
     return group;
 }
 
+/// Since its run was last gone on with.
+bool is_drawn(const std::string& run, const char* picture) {
+    const std::string path = run + "/" + picture;
+    return fs::exists(path) && fs::last_write_time(path) >= fs::last_write_time(run + "/results.h5");
+}
+
 FigureGroup draw_runs(const std::string& directory, std::vector<SweepPoint>& points) {
     FigureGroup group;
     for (SweepPoint& point : points) {
         const std::string run = directory + "/" + point.name;
         if (!fs::exists(run + "/results.h5")) continue;
         try {
-            if (!fs::exists(run + "/contact_sheet.png")) draw_contact_sheet(run, run, DiscColour::speed);
-            if (!fs::exists(run + "/travel.gif")) draw_animation(run, run, DiscColour::speed);
+            if (!is_drawn(run, "contact_sheet.png")) draw_contact_sheet(run, run, DiscColour::speed);
+            if (!is_drawn(run, "travel.gif")) draw_animation(run, run, DiscColour::speed);
         } catch (const Error& error) {
             point.note += (point.note.empty() ? "" : "; ") + std::string(error.what());
             continue;
@@ -172,10 +178,12 @@ Document compose(const std::string& directory, std::vector<SweepPoint>& points, 
 
 }  // namespace
 
+Window sweep_window(const Case& c) { return {0.5 * c.travel.distance_m, c.travel.distance_m}; }
+
 void write_sweep_report(const std::string& directory, std::vector<SweepPoint>& points, const std::string& command) {
     for (SweepPoint& point : points) measure_point(point, directory);
+    write_file_atomically(directory + "/sweep.csv", make_table(points));  // whether or not pictures can be drawn
     const Document document = compose(directory, points, command);
-    write_file_atomically(directory + "/sweep.csv", make_table(points));
     write_html(document, directory, share_directory() + "/templates");
 }
 

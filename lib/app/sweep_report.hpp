@@ -18,6 +18,9 @@ struct SweepPoint {
     std::string note;    ///< why there is none
 };
 
+/// What a point is measured over: the last half of the travel.
+[[nodiscard]] Window sweep_window(const Case& c);
+
 /// Fills in metrics and notes, draws each run's contact sheet and animation, and writes sweep.csv, figures/ and
 /// index.html. `command` is what made it, for the reader.
 void write_sweep_report(const std::string& directory, std::vector<SweepPoint>& points, const std::string& command);

@@ -21,12 +21,6 @@ std::string without_prefix(const std::string& metric) { return metric.substr(met
 
 const MetricInfo& metric_of(const Claim& claim) { return *find_metric(without_prefix(claim.metric)); }
 
-std::optional<Window> claim_window(const Claim& claim) {
-    if (claim.window.empty() || claim.window == "text") return std::nullopt;
-    const auto ends = split(claim.window, '-');
-    return Window{*parse_number(ends.at(0)) / 100, *parse_number(ends.at(1)) / 100};
-}
-
 std::string wanted_runs(const Claim& claim, std::size_t side) {
     const auto& s = claim.selection;
     std::vector<std::string> wheels, planets, loads;
@@ -43,7 +37,7 @@ std::string wanted_runs(const Claim& claim, std::size_t side) {
 }
 
 ValuesBySlip collect_curve(const Campaign& campaign, const Claim& claim, const Curve& curve) {
-    auto values = collect(campaign, curve, metric_of(claim), claim_window(claim));
+    auto values = collect(campaign, curve, metric_of(claim));
     if (claim.metric.starts_with("abs:"))
         for (auto& [slip, group] : values)
             for (double& v : group) v = std::abs(v);

@@ -21,9 +21,6 @@ struct Missing {
 /// The window mean that a claim is about; the claim must have one.
 [[nodiscard]] const MetricInfo& metric_of(const Claim& claim);
 
-/// Nothing for the text's own windows.
-[[nodiscard]] std::optional<Window> claim_window(const Claim& claim);
-
 /// "B3 + B6, Earth, 50 + 170 N, slip 0–70 %".
 [[nodiscard]] std::string wanted_runs(const Claim& claim, std::size_t side);
 

@@ -45,7 +45,7 @@ bool is_known_metric(std::string name) {
     if (name.starts_with("measured:")) return name.size() > std::string_view("measured:").size();
     for (const std::string_view prefix : {"ratio:", "abs:"})
         if (name.starts_with(prefix)) name.erase(0, prefix.size());
-    static const std::set<std::string> others{"gravity_ratio", "stiffness_N_mm", "elapsed_max_s", "elapsed_max_h"};
+    static const std::set<std::string> others{"gravity_ratio", "stiffness_N_mm"};
     return find_metric(name) != nullptr || others.contains(name);
 }
 
@@ -58,7 +58,6 @@ public:
     Claim read() {
         claim_.line = row_.line;
         claim_.id = cell("id");
-        claim_.window = cell("window");
         claim_.metric = cell("metric");
         claim_.tolerance_origin = cell("tolerance_origin");
         claim_.evidence = cell("evidence");
@@ -170,7 +169,7 @@ private:
         if (!is_known_metric(claim_.metric))
             fault(
                 fmt::format("metric '{}' is not known. Use a column of runs.csv, ratio: or abs: of one, measured:NAME, "
-                            "gravity_ratio, stiffness_N_mm, elapsed_max_s or elapsed_max_h?",
+                            "gravity_ratio or stiffness_N_mm?",
                             claim_.metric));
         if (claim_.tolerance_origin.empty())
             fault(fmt::format("the tolerance '{}' has no origin. Say in tolerance_origin where it comes from?",
@@ -185,7 +184,7 @@ private:
             check_measured_curve();
         else if (is_about_curves(claim_.comparison) && find_metric(without_prefix(claim_.metric)) == nullptr)
             fault(fmt::format("{} has no curve over slip. Use a column of runs.csv?", claim_.metric));
-        read_window();
+        check_window();
         read_units();
         if (cell("tolerance") != "U") claim_.tolerance = number(cell("tolerance"), "tolerance");
         const auto c = claim_.comparison;
@@ -206,13 +205,9 @@ private:
                               info->unit, row->second.units));
     }
 
-    void read_window() {
-        if (claim_.window.empty() || claim_.window == "text") return;
-        const auto ends = split(claim_.window, '-');
-        if (ends.size() != 2 || !parse_number(ends[0]) || !parse_number(ends[1]) ||
-            *parse_number(ends[0]) >= *parse_number(ends[1]))
-            fault(fmt::format("window '{}' is not one. Write text, or centimetres of travel such as 40-80?",
-                              claim_.window));
+    void check_window() {
+        if (const std::string& window = cell("window"); !window.empty() && window != "text")
+            fault(fmt::format("window '{}' is not one (numbers are means over the text's). Write text?", window));
     }
 
     /// Empty: the row's own number. An id: that row's number. "=1": the number 1.

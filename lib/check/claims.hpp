@@ -40,8 +40,7 @@ struct Claim {
     std::size_t line = 0;
     std::string id;      ///< of the ledger, with a suffix such as -b where one row needs several checks
     std::string metric;  ///< a window mean (metrics.hpp), "ratio:" of one, "abs:" of one, "measured:" and a name of a
-                         ///< measurements.csv, or gravity_ratio, stiffness_N_mm, elapsed_max_s, elapsed_max_h
-    std::string window;  ///< "text" (section 3.3.1), or "40-80" in cm of travel
+                         ///< measurements.csv, or gravity_ratio, stiffness_N_mm
     Selection selection;
     Comparison comparison = Comparison::none;
     std::optional<double> reference;  ///< where it is not the ledger row's own number

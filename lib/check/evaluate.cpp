@@ -64,7 +64,7 @@ std::variant<Quantity, Missing> window_mean(const Judge& j, std::size_t side, co
     if (std::any_of(group->second.begin(), group->second.end(), [](double v) { return !std::isfinite(v); }))
         return Missing{fmt::format("the runs do not record {}", without_prefix(j.claim.metric))};
     const double reading = reading_uncertainty(printed, units, curve.gravity);
-    const auto borrowed = borrow_scatter(j.campaign, curve, metric_of(j.claim), claim_window(j.claim));
+    const auto borrowed = borrow_scatter(j.campaign, curve, metric_of(j.claim));
     const Estimate e = estimate(group->second, reading, borrowed.pooled);
     Quantity q{e.mean, e.scatter, e.uncertainty, e.n, {}};
     if (e.borrowed)
@@ -115,24 +115,6 @@ std::variant<Quantity, Missing> stiffness(const Judge& j, const std::string& pri
     return Missing{fmt::format("no stiffness file for wheel {}", j.claim.selection.wheel)};
 }
 
-std::variant<Quantity, Missing> longest_time(const Judge& j, double seconds_per_unit) {
-    const auto& s = j.claim.selection;
-    Quantity q;
-    for (const auto& run : j.campaign.runs) {
-        const auto& c = run.condition;
-        if (!is_on(s.sides.at(0)[0], c)) continue;
-        if (c.slip_percent < s.slip_from_percent || c.slip_percent > s.slip_to_percent) continue;
-        if (!run.shortfall.empty()) continue;
-        const auto seconds = parse_number(run.run.text("wall_s"));
-        if (!seconds) continue;
-        q.value = std::max(q.value, *seconds / seconds_per_unit);
-        ++q.n;
-    }
-    if (q.n == 0) return Missing{"no finished run tells its wall_s"};
-    q.detail = "another machine, compiler and time step than the text's";
-    return q;
-}
-
 /// A number from measurements.csv. One value tells no scatter: without a tolerance of the claim's own nothing can be
 /// said.
 std::variant<Quantity, Missing> measured(const Judge& j) {
@@ -161,8 +143,6 @@ std::variant<Quantity, Missing> compute(const Judge& j) {
     if (metric.starts_with("measured:")) return measured(j);
     if (metric == "gravity_ratio") return gravity_ratio(j);
     if (metric == "stiffness_N_mm") return stiffness(j, j.out.reference_text, j.out.ledger.units);
-    if (metric == "elapsed_max_s") return longest_time(j, 1);
-    if (metric == "elapsed_max_h") return longest_time(j, 3600);
     if (metric.starts_with("ratio:")) return ratio_of_means(j);
     return window_mean(j, 0, j.out.reference_text, j.out.units);
 }

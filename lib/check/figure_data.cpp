@@ -159,7 +159,7 @@ CurveName parse_curve(const std::string& text) {
     auto words = split(text, ' ');
     CurveName name;
     name.curve.wheel = "B3";
-    if (words[0] == "B3" || words[0] == "B6" || words[0] == "rigid") {
+    if (words.size() > 1 && !parse_number(words[1])) {
         name.curve.wheel = words[0];
         words.erase(words.begin());
     }

@@ -29,7 +29,7 @@ std::variant<TrendPoints, Missing> curve_points(const Campaign& campaign, const 
                            ? fmt::format("only {} of the slips {:g}–{:g} % of {} were run", values.size(),
                                          s.slip_from_percent, s.slip_to_percent, name_of(curve))
                            : fmt::format("no run of {}, slip {:g} %", name_of(curve), s.slip_from_percent)};
-    return trend_points(values, borrow_scatter(campaign, curve, metric_of(claim), claim_window(claim)).pooled);
+    return trend_points(values, borrow_scatter(campaign, curve, metric_of(claim)).pooled);
 }
 
 /// All slips that the text uses for a range of them: 0, 10, … 70 %. A statement about a range needs each.

@@ -62,11 +62,9 @@ Window averaging_window(const Case& c) {
 }
 
 Window compared_window(const Case& c) {
-    if (c.record.stress_segments > 0) return averaging_window(c);
-    constexpr double full_travel_m = 0.8;
-    const double scale = std::min(1.0, c.travel.distance_m / full_travel_m);
-    const Window whole = averaging_window(c.travel.slip_percent);
-    return {scale * whole.from_m, scale * whole.to_m};
+    const Window whole = averaging_window(c);
+    const double share = std::min(1.0, c.travel.distance_m / whole.to_m);
+    return {share * whole.from_m, share * whole.to_m};
 }
 
 double lug_pair_pitch_m(const Case& c) {
@@ -181,12 +179,11 @@ RunMetrics measure(const Run& run, const Window& window) {
 RunMetrics unknown_metrics() {
     RunMetrics m;
     for (const auto& info : metric_table()) m.*info.member = std::numeric_limits<double>::quiet_NaN();
-    m.drawbar_deviation_N = std::numeric_limits<double>::quiet_NaN();
     return m;
 }
 
 std::span<const MetricInfo> metric_table() {
-    static constexpr std::array<MetricInfo, 18> table{{
+    static constexpr std::array<MetricInfo, 19> table{{
         {"gross_tractive_effort_N", "N", "H", &RunMetrics::gross_tractive_effort_N},
         {"gross_tractive_effort_instant_N", "N", "⟨T/r_e⟩", &RunMetrics::gross_tractive_effort_instant_N},
         {"gross_tractive_effort_minimum_N", "N", "⟨T⟩/min r_e", &RunMetrics::gross_tractive_effort_minimum_N},
@@ -205,6 +202,7 @@ std::span<const MetricInfo> metric_table() {
         {"vertical_imbalance_N", "N", "ΣF_y − W − ṗ_y", &RunMetrics::vertical_imbalance_N},
         {"bounce_N", "N", "amplitude of ΣF_y", &RunMetrics::bounce_N},
         {"bounce_Hz", "Hz", "its frequency", &RunMetrics::bounce_Hz},
+        {"drawbar_deviation_N", "N", "s of P", &RunMetrics::drawbar_deviation_N},
     }};
     return table;
 }

@@ -62,10 +62,11 @@ void write_report(const ReportRequest& request) {
     const CheckResult result = check_claims(request.claims_path, request.run_dirs);
     const ReportPaths paths{std::filesystem::path(request.claims_path).parent_path().string(),
                             result.root + "/reports/style.gp", result.root + "/reports/templates", request.out_dir};
-    const auto figures = draw_figures(paths, result.campaign, result.outcomes);
-    const Document document = compose(request, result, paths, figures);
+    // First what pictures may not cost: gnuplot can be missing.
     write_text(request.out_dir + "/checks.csv", checks_to_csv(result.outcomes));
     write_text(request.out_dir + "/runs.csv", runs_to_csv(result.campaign));
+    const auto figures = draw_figures(paths, result.campaign, result.outcomes);
+    const Document document = compose(request, result, paths, figures);
     write_text(request.out_dir + "/report.md", to_markdown(document));
     write_html(document, request.out_dir, paths.templates);
 }

@@ -268,7 +268,6 @@ std::string runs_to_csv(const Campaign& campaign) {
     std::vector<std::string> header{"run",  "wheel",         "gravity",       "load_N",     "slip_percent",
                                     "seed", "lug_phase_deg", "window_from_m", "window_to_m"};
     for (const auto& info : metric_table()) header.emplace_back(info.name);
-    header.emplace_back("drawbar_deviation_N");
     header.insert(header.end(), names.begin(), names.end());
     std::string text = csv_line(header);
     for (const auto& run : campaign.runs) {
@@ -283,7 +282,6 @@ std::string runs_to_csv(const Campaign& campaign) {
                                        format_number(run.metrics.window.from_m),
                                        format_number(run.metrics.window.to_m)};
         for (const auto& info : metric_table()) cells.push_back(format_number(run.metrics.*info.member));
-        cells.push_back(format_number(run.metrics.drawbar_deviation_N));
         for (const auto& name : names) cells.push_back(run.run.text(name));
         text += csv_line(cells);
     }

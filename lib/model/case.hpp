@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -225,6 +225,11 @@ struct Case {
 /// What the hub goes while it accelerates.
 [[nodiscard]] inline double ramp_way_m(const TravelCase& travel) {
     return 0.5 * travel.acceleration_time_s * travel_speed_m_s(travel);
+}
+
+/// The hub's way: never less than the ramp takes.
+[[nodiscard]] inline double way_of_travel_m(const TravelCase& travel) {
+    return std::max(travel.distance_m, ramp_way_m(travel));
 }
 
 /// An assignment from the command line, `--set table.key=value`.

@@ -73,7 +73,7 @@ Case with_soil_behind(const Case& c, double factor) {
 
 Case with_soil_ahead(const Case& c, double factor) {
     Case changed = c;
-    const double front_m = c.travel.start_x_m + c.travel.distance_m + outer_radius_m(c.wheel);
+    const double front_m = c.travel.start_x_m + way_of_travel_m(c.travel) + outer_radius_m(c.wheel);
     cut_bed(changed, in_tenths_mm((1 - factor) * (c.bed.length_m - front_m)));
     return changed;
 }

@@ -118,9 +118,6 @@ void check_wheel(const WheelCase& wheel, Faults& faults) {
     }
 }
 
-/// The hub's way: travel.distance_m, but never less than the ramp of speed takes.
-double way_of_travel_m(const TravelCase& travel) { return std::max(travel.distance_m, ramp_way_m(travel)); }
-
 void check_travel(const Case& c, Faults& faults) {
     const double radius = outer_radius_m(c.wheel);
     if (!(c.travel.start_x_m - radius >= 0)) {

@@ -75,10 +75,7 @@ void add_member(Hasher& hasher, const std::vector<T>& values) {
 std::uint64_t hash_state(const State& state) {
     Hasher hasher;
     const auto add = [&hasher](const char*, const auto& member) { add_member(hasher, member); };
-    for_each_member(state, add);
-    if (has_soil_elements(state)) for_each_soil_member(state, add);
-    if (has_contact_stress(state)) for_each_stress_member(state, add);
-    if (has_element_mass(state)) for_each_mass_member(state, add);
+    for_each_present_member(state, add);
     return hasher.value();
 }
 

@@ -269,6 +269,15 @@ void for_each_mass_member(S& s, F&& f) {
     f("soil_mass_kg", s.soil.mass_kg);
 }
 
+/// All of these that the state has: what is hashed is what a checkpoint holds.
+template <class S, class F>
+void for_each_present_member(S& s, F&& f) {
+    for_each_member(s, f);
+    if (has_soil_elements(s)) for_each_soil_member(s, f);
+    if (has_contact_stress(s)) for_each_stress_member(s, f);
+    if (has_element_mass(s)) for_each_mass_member(s, f);
+}
+
 /// The hash that `run` prints: every member, bytes as they are.
 [[nodiscard]] std::uint64_t hash_state(const State& state);
 

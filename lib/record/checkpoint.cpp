@@ -178,10 +178,7 @@ std::vector<std::byte> make_image(const std::string& path, const State& state, c
     hdf5::write_integer_attribute(file, "results_version", results_version, path);
     hdf5::write_text_attribute(file, "case", to_toml(c), path);
     const auto write = [&](const char* name, const auto& member) { write_member(file, path, name, member); };
-    for_each_member(state, write);
-    if (has_soil_elements(state)) for_each_soil_member(state, write);
-    if (has_contact_stress(state)) for_each_stress_member(state, write);
-    if (has_element_mass(state)) for_each_mass_member(state, write);
+    for_each_present_member(state, write);
     for_each_cost(spent, write);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "make", path);
     const ssize_t size = H5Fget_file_image(file, nullptr, 0);

@@ -12,7 +12,6 @@
 #include "core/error.hpp"
 #include "core/gnuplot.hpp"
 #include "record/files.hpp"
-#include "record/results.hpp"
 
 namespace ifedem {
 namespace {

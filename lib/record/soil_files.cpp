@@ -13,7 +13,6 @@
 #include "core/error.hpp"
 #include "coupling/attached_discs.hpp"
 #include "record/files.hpp"
-#include "record/results.hpp"
 #include "step/fields.hpp"
 #include "step/scene.hpp"
 
@@ -125,7 +124,7 @@ SoilOutline read_soil_outline(const std::string& directory, double time_s) {
     std::ifstream file(path_of(directory));
     std::string line;
     std::getline(file, line);
-    while (std::getline(file, line)) {
+    while (std::getline(file, line) && !file.eof()) {  // a line without an end was cut short
         char* end = nullptr;
         if (std::fabs(std::strtod(line.c_str(), &end) - time_s) > 1e-6) continue;
         const bool element = line.find(",element,") != std::string::npos;

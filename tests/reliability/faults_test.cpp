@@ -322,6 +322,22 @@ TEST_F(Faults, AChangedCaseIsNotTakenUp) {
     EXPECT_EQ(resume_fault("part"), "");
 }
 
+// It would go by unseen, and the run to its end.
+TEST_F(Faults, AStopBeforeTheCachedStagesIsRefused) {
+    const auto stop_at = [&](const char* step) {
+        std::vector<std::string> arguments = runs.run_arguments("part");
+        arguments.insert(arguments.end(), {"--stop-at-step", step});
+        return Program(arguments, runs.log("part")).wait();
+    };
+    ASSERT_EQ(stop_at("10800").status, 0);
+    fs::remove_all(runs.directory("part"));  // not its stages
+    const ProgramEnd outcome = stop_at("2000");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.errors.find("--stop-at-step 2000 has passed (the run begins at step 10000"), std::string::npos)
+        << outcome.errors;
+    EXPECT_EQ(resume_fault("part"), "");
+}
+
 // ---- no space ------------------------------------------------------------------------------------------------------
 
 /// The run `name` met a full disk. What is wrong with how it took it?

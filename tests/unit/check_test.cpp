@@ -379,7 +379,7 @@ TEST_F(Project, BadClaimsAreAllNamedWithTheirLines) {
         "D095-b,sinkage_cm,text,B3/B6,earth,170+50/50,0..70,exceeds,,U,s,match,,\n"
         "D095-c,sinkage_cm,text,B3/B6,earth,170,0..70,same,,U,s,match,,\n"
         "D095-d,sinkage_cm,text,B3,earth,170,0..70,cross,,10,s,match,,\n"
-        "D095-e,elapsed_max_s,text,B3,earth,170,0..70,increasing,,U,s,match,,\n"
+        "D095-e,gravity_ratio,text,B3,earth,170,0..70,increasing,,U,s,match,,\n"
         "D095-f,sinkage_cm,text,B3,earth,170+50,0..70,not-cross,,10,s,match,,\n"
         "D095-g,measured:angle,,,,,0..70,same,,1,s,match,,\n"
         "D095-h,measured:angle,,,,,,increasing,,U,s,match,,\n";
@@ -402,7 +402,7 @@ TEST_F(Project, BadClaimsAreAllNamedWithTheirLines) {
                              "claims.csv:12: exceeds needs two sides of equally many curves",
                              "claims.csv:13: same needs a number as tolerance",
                              "claims.csv:14: one curve cannot cross itself",
-                             "claims.csv:15: elapsed_max_s has no curve over slip",
+                             "claims.csv:15: gravity_ratio has no curve over slip",
                              "claims.csv:16: not-cross needs two sides",
                              "claims.csv:17: measured:angle over slips cannot be judged by same",
                              "claims.csv:18: the slips are not selected"})
