@@ -141,7 +141,7 @@ docs: ## the library's documentation by Doxygen: build/docs/html/index.html
 check-format: $(BUILD)/.packages ## clang-format over all code
 	@find lib tests reproductions -name '*.?pp' | xargs clang-format --dry-run -Werror
 
-tidy: build check-format ## that, and clang-tidy over the library (six minutes on two cores)
+tidy: build check-format ## that, and clang-tidy over the library (six to eight minutes on two cores)
 	@$(call install,clang-tidy)
 	@ls lib/*/*.cpp | xargs -P $(JOBS) -I{} clang-tidy -p $(BUILD) --quiet {} 2> /dev/null
 

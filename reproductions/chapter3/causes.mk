@@ -5,6 +5,7 @@ CHAPTER := reproductions/chapter3
 include $(CHAPTER)/realisations.mk
 include $(CHAPTER)/whole.mk
 OUT     := build/runs/chapter3-causes
+IFEDEM  ?= build/ifedem
 
 # WHAT-rREALISATION
 # 1: damping of the layers, per second, all parts alike
@@ -48,6 +49,9 @@ sets_of_speed0.2    := --set travel.speed_m_s=0.2
 
 .PHONY: causes readings
 readings: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(READINGS)))
+	@mkdir -p build/reports/chapter3
+	@$(IFEDEM) metrics $(addprefix $(OUT)/,$(READINGS)) -o build/reports/chapter3/readings.csv
+	@echo "table: build/reports/chapter3/readings.csv"
 
 causes: $(addprefix $(OUT)/,$(addsuffix /run.csv,$(RUNS)))
 	@mkdir -p build/reports/chapter3
