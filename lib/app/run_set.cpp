@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/children.hpp"
-#include "app/run_info.hpp"
+#include "check/run.hpp"
 #include "core/error.hpp"
 #include "record/checkpoint.hpp"
 #include "step/stages.hpp"
@@ -26,29 +26,14 @@ Arguments arguments_of(const char* command, const WantedRun& run, const RunSetOp
     return arguments;
 }
 
-bool is_same_case(const std::string& directory, const Case& c) {
+bool is_same_case(const std::string& directory, Case c) {
     try {
-        return to_toml(read_case(directory + "/case.toml")) == to_toml(c);
+        const Case there = read_case(directory + "/case.toml");
+        c.name = there.name;
+        return list_changes(there, c).empty();
     } catch (const Error&) {
         return false;
     }
-}
-
-/// A value of run.csv; "" where there is none, as in a run that has not come to its end.
-std::string value_of(const std::string& directory, const std::string& name) {
-    const std::string path = directory + "/run.csv";
-    if (!fs::exists(path)) return "";
-    try {
-        for (const RunValue& value : read_values(path))
-            if (value.name == name) return value.value;
-    } catch (const Error&) {  // damaged: the run begins anew
-    }
-    return "";
-}
-
-bool is_complete(const WantedRun& run) {
-    return value_of(run.directory, "results_version") == fmt::format("{}", results_version) &&
-           is_same_case(run.directory, run.c);
 }
 
 bool can_resume(const WantedRun& run) {
@@ -66,7 +51,7 @@ std::vector<std::vector<Arguments>> list_preparations(const std::vector<WantedRu
     std::vector<Arguments> beds, sinkages;
     std::set<std::string> seen;
     for (const WantedRun& run : runs) {
-        if (is_complete(run)) continue;
+        if (holds_finished_run(run.directory, run.c)) continue;
         const bool new_bed = seen.insert(stage_hash(run.c, Stage::consolidation, results_version)).second;
         const bool new_sinkage = seen.insert(stage_hash(run.c, Stage::sinkage, results_version)).second;
         if (new_bed) {
@@ -82,7 +67,7 @@ std::vector<int> make_travels(const std::vector<WantedRun>& runs, const RunSetOp
     std::vector<Arguments> calls;
     std::vector<std::size_t> which;
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        if (is_complete(runs[k])) continue;
+        if (holds_finished_run(runs[k].directory, runs[k].c)) continue;
         if (can_resume(runs[k])) {
             calls.push_back({"resume", runs[k].directory, "--quiet", "--stages", options.stage_cache});
         } else {
@@ -99,6 +84,16 @@ std::vector<int> make_travels(const std::vector<WantedRun>& runs, const RunSetOp
 }
 
 }  // namespace
+
+bool holds_finished_run(const std::string& directory, const Case& c) {
+    const std::string path = directory + "/run.csv";
+    if (!fs::exists(path) || !is_same_case(directory, c)) return false;
+    try {
+        return find_value(read_values(path), "results_version") == fmt::format("{}", results_version);
+    } catch (const Error&) {
+        return false;
+    }
+}
 
 std::string show_settings(const std::vector<Override>& settings) {
     std::string text;

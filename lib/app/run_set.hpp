@@ -20,6 +20,9 @@ struct WantedRun {
 /// " --set key=value" of each, for a command that is shown to be repeated; quoted where a shell would take it apart.
 [[nodiscard]] std::string show_settings(const std::vector<Override>& settings);
 
+/// A finished run by this results version, of this case whatever its name? What cannot be read is none.
+[[nodiscard]] bool holds_finished_run(const std::string& directory, const Case& c);
+
 struct RunSetOptions {
     std::string stage_cache = "build/stages";
     int jobs = 1;  ///< runs at the same time

@@ -224,9 +224,7 @@ void measure_bed(const std::vector<SlipGroup>& groups, Measures& m) {
         std::vector<double> porosity, density, ratio;
         for (const StressRun& r : most->run) {
             const std::string name = fmt::format("consolidation_porosity{}", part);
-            const auto found =
-                std::find_if(r.values.begin(), r.values.end(), [&](const RunValue& v) { return v.name == name; });
-            const auto value = found == r.values.end() ? std::nullopt : parse_number(found->value);
+            const auto value = parse_number(find_value(r.values, name));
             if (!value) break;  // too small a bed
             porosity.push_back(*value);
             density.push_back((1 - *value) * r.c.soil.density_kg_m3);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -51,11 +52,12 @@ Series read_travel(const std::string& path) {
 
 }  // namespace
 
-std::string Run::text(const std::string& value_name) const {
-    for (const auto& v : values)
-        if (v.name == value_name) return v.value;
-    return {};
+std::string find_value(const std::vector<RunValue>& values, const std::string& name) {
+    const auto found = std::ranges::find(values, name, &RunValue::name);
+    return found == values.end() ? std::string() : found->value;
 }
+
+std::string Run::text(const std::string& value_name) const { return find_value(values, value_name); }
 
 double Run::number(const std::string& value_name) const {
     const auto value = parse_number(text(value_name));

@@ -17,6 +17,9 @@ struct RunValue {
     std::string unit;
 };
 
+/// By its name; "" if it is not there.
+[[nodiscard]] std::string find_value(const std::vector<RunValue>& values, const std::string& name);
+
 /// A run directory as `ifedem run` leaves it.
 struct Run {
     std::string directory;

@@ -63,8 +63,7 @@ SoilModel make_soil_model(const Case& c, const DemConstants& dem, double frictio
     m.columns = static_cast<std::uint32_t>(c.elements.columns);
     m.rows = static_cast<std::uint32_t>(c.elements.rows);
     m.thickness_m = c.soil.thickness_m;
-    const MaterialCase& soil = c.elements.material;
-    m.material = {soil.young_Pa, soil.poisson, soil.density_kg_m3, soil.damping_1_s};
+    m.material = c.elements.material;
     m.contact = dem.soil;
     m.contact.friction = friction;
     m.gravity_m_s2 = dem.gravity_m_s2;
@@ -136,7 +135,10 @@ void add_soil_contacts(const DemConstants& k, const SoilModel& model, State& sta
     add_surface_contacts(model.contact, k.damping_ratio, {work.edge, state.soil.position_m, state.soil.velocity_m_s},
                          nearby, spring_step_s, state.soil.contacts, work, work.on_discs);
     merge_forces(work.on_discs, work.merged, dem.wheel_force);
-    if (state.soil.attached.empty()) return;
+    if (state.soil.attached.empty()) {
+        work.attached.contact.clear();
+        return;
+    }
     add_attached_contacts(k.soil, k.damping_ratio, state.soil, nearby, spring_step_s, state.soil.attached_contacts,
                           work.attached, work.contact_force_N);
     merge_forces(work.attached.on_discs, work.merged, dem.wheel_force);

@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::size_t bottom_left = 0, bottom_right = 1, top_right = 2, top_left = 3;
 
-/// Where a point of the undeformed block is now (a: along, b: up, both from −½ to ½), and the same for velocities.
-/// The triangle that it lies in has the corners `first`, `second` and the centre.
+/// Of a point of a block, in the triangle of the corners `first`, `second` and the centre.
 struct AreaCoordinates {
     std::size_t first = 0, second = 0;
     double l_first = 0, l_second = 0, l_centre = 0;
@@ -23,12 +22,13 @@ struct AreaCoordinates {
     }
 };
 
+/// Of a point of the undeformed block, a along and b up, both from −½ to ½.
 AreaCoordinates find_area_coordinates(double a, double b) {
     const bool sideways = std::fabs(a) > std::fabs(b);
     const double out = sideways ? a : b, along = sideways ? b : a;
     const double depth = std::fabs(out);  // 0 at the centre, ½ on the edge
     AreaCoordinates c;
-    // Counter-clockwise, `first` is at the negative end of `along` on the bottom and right edges.
+    // `first` is at the negative end of `along` on each edge.
     if (!sideways) c.first = b < 0 ? bottom_left : top_left, c.second = b < 0 ? bottom_right : top_right;
     if (sideways) c.first = a < 0 ? bottom_left : bottom_right, c.second = a < 0 ? top_left : top_right;
     c.l_first = depth - along, c.l_second = depth + along, c.l_centre = 1 - 2 * depth;
@@ -88,13 +88,8 @@ std::vector<Disc> place_pattern(const SoilModel& model, const SoilState& soil, c
 }
 
 std::array<double, 3> element_stress_Pa(const SoilModel& model, const SoilState& soil, std::uint32_t block) {
-    Mesh mesh;
-    mesh.node_m.assign(soil.shape[block].corner_m.begin(), soil.shape[block].corner_m.end());
-    mesh.quad = {{0, 1, 2, 3}};
-    mesh.part = {Part::rim};
-    const Material& m = model.material;
-    const ElementSet set = make_elements(mesh, {m, m, m, m}, model.thickness_m, PlaneState::strain);
-    return centroid_stress_Pa(set.element[0], m, PlaneState::strain, find_corners(model, soil, block).position_m);
+    return quad_stress_Pa(model.material, PlaneState::strain, soil.shape[block].corner_m,
+                          find_corners(model, soil, block).position_m);
 }
 
 std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
@@ -116,9 +111,7 @@ std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
         const double arm = (among[i] != 0 ? disc[i].radius_m - 0.5 * overlap : 0.0) +
                            (among[j] != 0 ? disc[j].radius_m - 0.5 * overlap : 0.0);
         const Vec2 r = arm * normal;
-        const Vec2 on_i =
-            Vec2{} - (k.soil.normal_stiffness_N_m * overlap * normal +
-                      k.soil.tangential_stiffness_N_m * pairs.tangential_m[n] * Vec2{-normal.y, normal.x});
+        const Vec2 on_i = spring_force_N(k.soil, normal, overlap, pairs.tangential_m[n]);
         sum[0] += r.x * on_i.x, sum[1] += r.y * on_i.y, sum[2] += 0.5 * (r.x * on_i.y + r.y * on_i.x);
     }
     return {sum[0] / volume_m3, sum[1] / volume_m3, sum[2] / volume_m3};

@@ -78,8 +78,10 @@ struct Box {
     [[nodiscard]] bool holds(Vec2 p) const { return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y; }
 };
 
+Vec2 end_of(const Segment& s) { return s.from_m + s.along_m; }
+
 Box make_box(const Segment& s, double room_m) {
-    const Vec2 to = s.from_m + s.along_m;
+    const Vec2 to = end_of(s);
     return {{min_of(s.from_m.x, to.x) - room_m, min_of(s.from_m.y, to.y) - room_m},
             {max_of(s.from_m.x, to.x) + room_m, max_of(s.from_m.y, to.y) + room_m}};
 }
@@ -104,6 +106,7 @@ void search_candidates(const DiscsNearby& nearby, SurfaceWorkspace& work) {
     work.list_at_search = nearby.list_number;
     work.search = false;
     if (box.empty()) return;
+    work.searched_m.push_back(end_of(work.segment.back()));
     const Box all = join(box);
     const auto& disc = nearby.discs.disc;
     for (std::uint32_t p = 0; p < disc.size(); ++p) {
@@ -123,13 +126,15 @@ void search_candidates(const DiscsNearby& nearby, SurfaceWorkspace& work) {
 
 /// With each list, since it says how far discs may go; and when a boundary node has moved by the surface's skin.
 bool must_search(const DiscsNearby& nearby, const SurfaceWorkspace& work) {
-    if (work.search || work.searched_m.size() != work.segment.size()) return true;
+    if (work.search || work.segment.empty() || work.searched_m.size() != work.segment.size() + 1) return true;
     if (nearby.list_number != work.list_at_search) return true;
-    for (std::size_t n = 0; n < work.searched_m.size(); ++n) {
-        const Vec2 moved = work.segment[n].from_m - work.searched_m[n];
-        if (!(dot(moved, moved) <= surface_skin_m * surface_skin_m)) return true;
-    }
-    return false;
+    const auto has_moved = [](Vec2 now, Vec2 then) {
+        const Vec2 moved = now - then;
+        return !(dot(moved, moved) <= surface_skin_m * surface_skin_m);
+    };
+    for (std::size_t n = 0; n < work.segment.size(); ++n)
+        if (has_moved(work.segment[n].from_m, work.searched_m[n])) return true;
+    return has_moved(end_of(work.segment.back()), work.searched_m.back());
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ struct SurfaceContact {
 
 struct SurfaceWorkspace {
     std::vector<SurfaceCandidate> candidate;  ///< sorted by position, segment
-    std::vector<Vec2> searched_m;             ///< starts of the segments at the last search
+    std::vector<Vec2> searched_m;             ///< starts of the segments and the last one's end, at the last search
     std::uint64_t list_at_search = 0;
     bool search = true;
     std::vector<Segment> segment;

@@ -70,6 +70,12 @@ void level_surface(State& state, std::size_t count) {
     keep_discs(stays, state);
 }
 
+double highest_top_m(const DiscState& discs) {
+    double top = 0;
+    for (const Disc& d : discs.disc) top = std::max(top, d.y_m + d.radius_m);
+    return top;
+}
+
 double measure_porosity(const DiscState& discs, double length_m, double margin_m, double bottom_m, double top_m) {
     // A disc inside counts whole; one that the rectangle cuts, by horizontal slices.
     constexpr int slices = 400;

@@ -16,7 +16,10 @@ namespace ifedem {
 /// anew without gaps; contacts between what stays keep their springs.
 void level_surface(State& state, std::size_t count);
 
-/// Porosity of the bed between the floor and `top_m`, over the bin's middle (`margin_m` from each side wall): 1 − area
+/// Of the disc that reaches highest; 0 without discs.
+[[nodiscard]] double highest_top_m(const DiscState& discs);
+
+/// Porosity of the bed between `bottom_m` and `top_m`, over the bin's middle (`margin_m` from each side wall): 1 − area
 /// of the discs cut by that rectangle / its area.
 [[nodiscard]] double measure_porosity(const DiscState& discs, double length_m, double margin_m, double bottom_m,
                                       double top_m);

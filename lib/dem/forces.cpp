@@ -139,7 +139,6 @@ BoundaryForce boundary_force(const ContactConstants& k, double damping_ratio, co
                                   old_spring_m, spring_step_s, chord);
     out.force_N = Vec2{0, 0} - (f.normal_N * normal + f.tangential_N * tangent);
     out.turning_N = -f.tangential_N * lever;
-    out.moment_Nm = -f.tangential_N * arm;
     out.rolling_limit_Nm = f.rolling_limit_Nm;
     out.tangential_spring_m = f.tangential_spring_m;
     out.normal_N = f.normal_N, out.tangential_N = f.tangential_N, out.arm_m = arm;

@@ -26,10 +26,9 @@ void add_forces(const DemConstants& k, State& state, DemWorkspace& work, double 
                 const BlockVisitor& finished, const Alongside& alongside = {});
 
 /// A disc against a body of infinite mass at distance `centre_distance_m` along the unit vector `normal` (from the disc
-/// to the body): force on the disc, its moment and rolling limit, and the new spring.
+/// to the body): force on the disc, what turns it and its rolling limit, and the new spring.
 struct BoundaryForce {
     Vec2 force_N;
-    double moment_Nm = 0;
     double turning_N = 0;  ///< moment over the radius
     double rolling_limit_Nm = 0;
     double tangential_spring_m = 0;
@@ -46,6 +45,12 @@ struct BoundaryForce {
 /// surface (opposite radius 0) it is the foot.
 [[nodiscard]] inline double contact_arm_m(double distance_m, double radius_m, double opposite_radius_m) {
     return opposite_radius_m > 0 ? distance_m * radius_m / (radius_m + opposite_radius_m) : distance_m;
+}
+
+/// Of a contact's springs alone, on the disc that `normal` points away from; overlap > 0.
+[[nodiscard]] inline Vec2 spring_force_N(const ContactConstants& k, Vec2 normal, double overlap_m, double spring_m) {
+    return Vec2{} - (k.normal_stiffness_N_m * overlap_m * normal +
+                     k.tangential_stiffness_N_m * spring_m * Vec2{-normal.y, normal.x});
 }
 
 /// Where a wall (flat, or one disc of it) stands as seen from a disc.

@@ -7,7 +7,8 @@
 
 namespace ifedem {
 
-/// Cells as wide as the largest reach of a pair, numbered column by column so that a wheel rut stays near in memory.
+/// Cells as wide as the largest reach of a pair of usual skins, numbered column by column so that a wheel rut stays
+/// near in memory.
 struct Grid {
     double x0 = 0, y0 = 0, inverse_size = 0;
     std::uint32_t columns = 0, rows = 0;

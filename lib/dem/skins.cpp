@@ -17,7 +17,7 @@ public:
     }
     [[nodiscard]] double operator()(const Disc& d) const {
         const double v2 = speed_squared(d);
-        return v2 > limit2_ ? std::sqrt(v2 / limit2_) : 1.0;  // infinite if only this disc moves at all
+        return v2 > limit2_ ? std::sqrt(v2 / limit2_) : 1.0;
     }
 
 private:

@@ -52,11 +52,16 @@ std::array<double, 3> centroid_stress_Pa(const Element& element, const Material&
     return {cc * sx + ss * sy - 2 * cs * t, ss * sx + cc * sy + 2 * cs * t, cs * (sx - sy) + (cc - ss) * t};
 }
 
+std::array<double, 3> quad_stress_Pa(const Material& material, PlaneState plane, const std::array<Vec2, 4>& reference_m,
+                                     const std::array<Vec2, 4>& corner_m) {
+    constexpr auto any = Part::rim;
+    const Mesh mesh{{reference_m.begin(), reference_m.end()}, {{0, 1, 2, 3}}, {any}};
+    const ElementSet set = make_elements(mesh, {material, material, material, material}, 1.0, plane);
+    return centroid_stress_Pa(set.element[0], material, plane, corner_m);
+}
+
 std::array<Material, 4> wheel_materials(const WheelCase& wheel) {
-    const auto convert = [](const MaterialCase& m) {
-        return Material{m.young_Pa, m.poisson, m.density_kg_m3, m.damping_1_s};
-    };
-    return {convert(wheel.rim), convert(wheel.intermediate), convert(wheel.surface), convert(wheel.lug)};
+    return {wheel.rim, wheel.intermediate, wheel.surface, wheel.lug};
 }
 
 std::array<double, 4> wheel_widths_m(const WheelCase& wheel) {

@@ -9,12 +9,8 @@
 
 namespace ifedem {
 
-struct Material {
-    double young_Pa = 0;
-    double poisson = 0;
-    double density_kg_m3 = 0;
-    double damping_1_s = 0;
-};
+/// Of a wheel's part, or of the soil's elements.
+using Material = MaterialCase;
 
 [[nodiscard]] inline double quad_area_m2(const std::array<Vec2, 4>& p) { return 0.5 * cross(p[2] - p[0], p[3] - p[1]); }
 
@@ -46,6 +42,11 @@ struct ElementSet {
 /// The same with one thickness for all parts.
 [[nodiscard]] ElementSet make_elements(const Mesh& mesh, const std::array<Material, 4>& material, double thickness_m,
                                        PlaneState plane);
+
+/// Stress at the centroid of one quad of these corners, counter-clockwise, whose stress-free shape is `reference_m`.
+[[nodiscard]] std::array<double, 3> quad_stress_Pa(const Material& material, PlaneState plane,
+                                                   const std::array<Vec2, 4>& reference_m,
+                                                   const std::array<Vec2, 4>& corner_m);
 
 /// Adds the internal force −∂U/∂x to `force_N` (one Vec2 a node), U = Σ ½ dᵀ Kᵉ d with d = Rᵀx − X and R the rotation
 /// of the centroid gradient. The derivative of R is kept, so that each element's forces balance in force and moment and

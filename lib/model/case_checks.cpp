@@ -55,6 +55,21 @@ void check_elements(const Case& c, Faults& faults) {
                                       "bed.length_m = {}). Change one of them?",
                                       e.columns, e.block_length_m, length, c.bed.length_m)});
     }
+    if (c.bed.walls != WallKind::flat) {
+        faults.push_back(
+            {{"bed.walls", "elements.columns"},
+             "walls of discs beside soil elements (they are as high as a bed that stands on the floor). Set "
+             "bed.walls = \"flat\"?"});
+    }
+    if (e.disc_columns > 0 && e.rows < 2) {
+        faults.push_back({{"elements.rows", "elements.disc_columns"},
+                          "blocks of discs without elements below them (elements.rows = 1: floor and surface of the "
+                          "elements would be one, and push twice). Give elements.rows = 2 or more?"});
+    }
+    if (e.disc_columns > 0 && c.bed.levelled_count > 0) {
+        faults.push_back({{"bed.levelled_count", "elements.disc_columns"},
+                          "levelling would take discs out of prepared blocks. Leave bed.levelled_count out?"});
+    }
     if (!(e.first_disc_column + e.disc_columns <= e.columns)) {
         faults.push_back({{"elements.first_disc_column", "elements.disc_columns", "elements.columns"},
                           fmt::format("the blocks of discs leave the grid (columns {} to {} of {}). Move them?",

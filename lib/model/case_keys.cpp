@@ -159,7 +159,7 @@ constexpr std::array keys{
                "columns of elements round a smooth tread; 0 = as many as twelve pairs of lugs have"),
     IFEDEM_KEY(wheel.plane, "", any, "plane stress or plane strain in the wheel"),
     IFEDEM_KEY(wheel.damping_frame, "", any,
-               "wheel damping acts on the velocity less the rim's rigid motion, or on all of it"),
+               "wheel damping acts on the velocity less the wheel's own rigid motion, or on all of it"),
     IFEDEM_KEY(
         wheel.mesh_file, "", any,
         "Gmsh file (2.2 or 4.1, ASCII, metres, hub at 0, 0, parts by physical name) instead of rings and columns; "

@@ -33,8 +33,7 @@ SandCell make_cell(const Case& sand, std::int64_t discs) {
     c.bed.length_m = std::sqrt(static_cast<double>(discs)) * (2 * largest_radius_m(c)) * 1.05;
     const DiscState filled = generate_bed(c);
     DemConstants dem = make_dem_constants(c, c.contact.consolidation_friction_soil, 0);
-    double height = 0;
-    for (const Disc& d : filled.disc) height = std::max(height, d.y_m + d.radius_m);
+    const double height = highest_top_m(filled);
     dem.flat_walls.push_back({{0, height}, {0, -1}});
     return {Sample(dem, filled.disc), c.soil.thickness_m, c.contact.friction_soil};
 }
@@ -74,7 +73,7 @@ BiaxialCurve shear(SandCell& cell, double lateral_Pa, double largest_strain) {
         cell.sample.step({down, in, in, down});
         axial += cell.axial_Pa() / interval, lateral += cell.lateral_Pa() / interval;
         if (n % interval != 0) continue;
-        curve.strain.push_back(1 - cell.height_m() / height);
+        curve.strain.push_back(1 - cell.height_m() / height - 0.5 * strain_a_point);  // where the means belong
         curve.ratio.push_back(axial / lateral);
         curve.volumetric.push_back(1 - cell.height_m() * cell.width_m() / volume);
         axial = lateral = 0;
@@ -127,7 +126,7 @@ Compression compress(const Case& sand, const SampleSize& size, double start_Pa) 
         cell.sample.step({down, 0, 0, down});
         mean_Pa += cell.axial_Pa() / interval;
         if (n % interval != 0) continue;
-        result.strain.push_back(1 - cell.height_m() / height);
+        result.strain.push_back(1 - cell.height_m() / height - 0.5 * strain_a_point);  // where the mean belongs
         result.stress_Pa.push_back(mean_Pa);
         mean_Pa = 0;
     }

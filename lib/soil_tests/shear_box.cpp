@@ -37,8 +37,7 @@ Box fill_box(const Case& sand, std::int64_t discs) {
         std::llround(std::sqrt(2 * static_cast<double>(discs) * pi * middle * middle / 0.85) / (2 * r));
     c.bed.length_m = 2 * r * static_cast<double>(columns);
     const DiscState filled = generate_bed(c);
-    double height = 0;
-    for (const Disc& d : filled.disc) height = std::max(height, d.y_m + d.radius_m);
+    const double height = highest_top_m(filled);
     DemConstants dem =
         make_dem_constants(c, c.contact.consolidation_friction_soil, c.contact.consolidation_friction_wall);
     dem.flat_walls.clear();
@@ -105,6 +104,7 @@ ShearTest shear_directly(const Case& sand, const SampleSize& size, double normal
     const std::int64_t interval = steps_of(sand, share_a_point / rate_1_s);
     const auto points = static_cast<int>(std::lround(largest_displacement / share_a_point)), earlier = points / 2;
     ShearTest test;
+    test.displacement_m.push_back(0), test.shear_Pa.push_back(0);
     box.bodies.set_velocity(upper, {speed, 0});
     for (int p = 0; p < points; ++p) {
         double shear = 0, normal = 0;

@@ -23,16 +23,10 @@ double lid_force_N(const Scene& scene, const State& state, const Workspace& work
 }
 
 /// One element between the same walls, its top moved down by `strain` of its height.
-double element_stress_Pa(const ElementsCase& e, double thickness_m, double strain) {
-    const double l = e.block_length_m, h = e.block_height_m;
-    Mesh mesh;
-    mesh.node_m = {{0, 0}, {l, 0}, {l, h}, {0, h}};
-    mesh.quad = {{0, 1, 2, 3}};
-    mesh.part = {Part::rim};
-    const Material m{e.material.young_Pa, e.material.poisson, e.material.density_kg_m3, e.material.damping_1_s};
-    const ElementSet set = make_elements(mesh, {m, m, m, m}, thickness_m, PlaneState::strain);
-    mesh.node_m[2].y = mesh.node_m[3].y = h * (1 - strain);
-    return centroid_stress_Pa(set.element[0], m, PlaneState::strain, mesh.node_m)[1];
+double element_stress_Pa(const ElementsCase& e, double strain) {
+    const double l = e.block_length_m, h = e.block_height_m, now = h * (1 - strain);
+    return quad_stress_Pa(e.material, PlaneState::strain, {{{0, 0}, {l, 0}, {l, h}, {0, h}}},
+                          {{{0, 0}, {l, 0}, {l, now}, {0, now}}})[1];
 }
 
 double mean_vertical_Pa(const std::vector<Disc>& disc, const std::vector<DiscStress>& stress, double area_m2) {
@@ -88,7 +82,7 @@ ConfinedCompression compress_confined(const Case& c, const std::vector<Disc>& pa
         p.strain = -strain;
         p.discs_Pa = -lid_force_N(scene, state, work) / (length * c.soil.thickness_m);
         p.discs_mean_Pa = mean_vertical_Pa(state.discs.disc, result.stress, length * height * (1 - strain));
-        p.element_Pa = element_stress_Pa(c.elements, c.soil.thickness_m, strain);
+        p.element_Pa = element_stress_Pa(c.elements, strain);
         result.point.push_back(p);
     }
     result.disc = state.discs.disc;

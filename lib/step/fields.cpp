@@ -20,19 +20,13 @@ void add_moment(MomentSum& s, Vec2 arm_m, Vec2 force_N) {
     s.xy_Nm += 0.5 * (arm_m.x * force_N.y + arm_m.y * force_N.x);
 }
 
-/// On the disc that `normal` points away from; overlap > 0.
-Vec2 spring_force(const ContactConstants& k, Vec2 normal, double overlap_m, double spring_m) {
-    return Vec2{} - (k.normal_stiffness_N_m * overlap_m * normal +
-                     k.tangential_stiffness_N_m * spring_m * Vec2{-normal.y, normal.x});
-}
-
 void add_surface_moments(const ContactConstants& k, const std::vector<SurfaceContact>& contacts,
-                         const std::vector<Disc>& disc, std::vector<MomentSum>& sum) {
+                         std::vector<MomentSum>& sum) {
     for (const SurfaceContact& c : contacts) {
-        if (c.position >= disc.size() || c.on_disc.overlap_m <= 0) continue;
+        if (c.on_disc.overlap_m <= 0) continue;
         const Vec2 normal = Vec2{} - c.outward;
         add_moment(sum[c.position], c.on_disc.arm_m * normal,
-                   spring_force(k, normal, c.on_disc.overlap_m, c.on_disc.tangential_spring_m));
+                   spring_force_N(k, normal, c.on_disc.overlap_m, c.on_disc.tangential_spring_m));
     }
 }
 
@@ -42,7 +36,7 @@ std::vector<DiscStress> measure_stress(const Scene& scene, const State& state, c
     const auto& disc = state.discs.disc;
     std::vector<MomentSum> sum(disc.size());
     for_each_closed_pair(disc, work.dem, [&](const ClosedPair& c) {
-        const Vec2 force = spring_force(scene.dem.soil, c.normal, c.overlap_m, state.pairs.tangential_m[c.number]);
+        const Vec2 force = spring_force_N(scene.dem.soil, c.normal, c.overlap_m, state.pairs.tangential_m[c.number]);
         const double arm_i = contact_arm_m(c.distance_m, disc[c.i].radius_m, disc[c.j].radius_m);
         add_moment(sum[c.i], arm_i * c.normal, force);
         add_moment(sum[c.j], (arm_i - c.distance_m) * c.normal, Vec2{} - force);
@@ -54,11 +48,11 @@ std::vector<DiscStress> measure_stress(const Scene& scene, const State& state, c
         if (overlap <= 0) continue;
         const double arm = contact_arm_m(side.distance_m, d.radius_m, side.opposite_radius_m);
         add_moment(sum[work.dem.wall[n].position], arm * side.normal,
-                   spring_force(scene.dem.wall, side.normal, overlap, state.wall_contacts[n].tangential_m));
+                   spring_force_N(scene.dem.wall, side.normal, overlap, state.wall_contacts[n].tangential_m));
     }
-    add_surface_moments(scene.dem.wheel, work.wheel.contact, disc, sum);
-    add_surface_moments(scene.soil.contact, work.soil.contact, disc, sum);
-    add_surface_moments(scene.dem.soil, work.soil.attached.contact, disc, sum);
+    add_surface_moments(scene.dem.wheel, work.wheel.contact, sum);
+    add_surface_moments(scene.soil.contact, work.soil.contact, sum);
+    add_surface_moments(scene.dem.soil, work.soil.attached.contact, sum);
     std::vector<DiscStress> stress;
     for (std::size_t p = 0; p < disc.size(); ++p) {
         const double scale = 1.0 / (pi * disc[p].radius_m * disc[p].radius_m * scene.c.soil.thickness_m);

@@ -75,6 +75,9 @@ std::string_view remedy_of(Cause cause) {
             return "Raise bed.disc_count, or lower wheel.load_N.";
         case Cause::short_bin:
             return "Lengthen bed.length_m, or shorten travel.distance_m.";
+        case Cause::beyond_discs:
+            return "Begin and end the travel over blocks of discs (elements.first_disc_column, disc_columns), or let "
+                   "them be converted (elements.conversion_interval_steps).";
         case Cause::control_windup:
             return "Lower the integral gain below K_p K_d / mass.";
         case Cause::control_weak:
@@ -201,6 +204,22 @@ std::optional<Symptom> check_soil(const State& state, const SoilWorkspace& work)
     return tell_inverted("soil", work.block[*e], work.elements.element[*e], position_m);
 }
 
+/// Wheel and elements do not meet (region.hpp): where it comes below their surface, nothing would carry it.
+std::optional<Symptom> check_region(const Scene& scene, const State& state, const SoilWorkspace& work) {
+    for (const std::uint32_t n : scene.wheel.mesh.boundary) {
+        const Vec2 p = state.wheel.position_m[n];
+        for (const SurfaceEdge& edge : work.edge) {
+            const Vec2 right = state.soil.position_m[edge.from], left = state.soil.position_m[edge.to];
+            if (!(left.x <= p.x && p.x < right.x)) continue;
+            const double surface_m = left.y + (p.x - left.x) / (right.x - left.x) * (right.y - left.y);
+            if (surface_m - p.y > scene.dem.smallest_radius_m)
+                return Symptom{Cause::beyond_discs, "the wheel is among soil elements", surface_m - p.y,
+                               scene.dem.smallest_radius_m};
+        }
+    }
+    return std::nullopt;
+}
+
 /// Routh: m s³ + K_d s² + K_p s + K_i has growing solutions if K_i m > K_p K_d, whatever the step.
 bool winds_up(const GainsCase& gains, double mass) {
     return gains.integral * mass > gains.proportional * gains.derivative;
@@ -270,6 +289,11 @@ std::optional<Symptom> check_bed(const Scene& scene, const State& state, const W
     return Symptom{Cause::loose_bed, "the bed does not carry yet: contacts a disc", contacts, least};
 }
 
+bool is_load_growing(const Scene& scene, const State& state) {
+    return scene.stage == Stage::sinkage &&
+           static_cast<double>(state.progress.step) * scene.dem.step_s < scene.c.stages.load_ramp_s;
+}
+
 void begin_window(const Scene& scene, const State& state, const Workspace& work, HealthWatch& watch) {
     watch.begun = true;
     watch.window_begin = state.progress.step;
@@ -283,10 +307,11 @@ void begin_window(const Scene& scene, const State& state, const Workspace& work,
 }  // namespace
 
 std::string_view cause_name(Cause cause) {
-    constexpr std::array<std::string_view, 18> name{
-        "contact-step",     "contact-dashpot",  "element-step", "control-step",   "coupling-step", "rolling-sign",
-        "contact-overload", "element-overload", "tunnelling",   "wedged",         "lost-disc",     "not-a-number",
-        "loose-bed",        "shallow-bin",      "short-bin",    "control-windup", "control-weak",  "energy-drift"};
+    constexpr std::array<std::string_view, 19> name{
+        "contact-step", "contact-dashpot",  "element-step",     "control-step", "coupling-step",
+        "rolling-sign", "contact-overload", "element-overload", "tunnelling",   "wedged",
+        "lost-disc",    "not-a-number",     "loose-bed",        "shallow-bin",  "short-bin",
+        "beyond-discs", "control-windup",   "control-weak",     "energy-drift"};
     return name[static_cast<std::size_t>(cause)];
 }
 
@@ -322,6 +347,7 @@ std::optional<Violation> check_health(const Scene& scene, const State& state, co
     if (!s && scene.has_wheel()) s = check_wheel(scene, state);
     if (!s && scene.has_wheel()) s = check_inside(scene, state);
     if (!s && scene.has_soil_elements()) s = check_soil(state, work.soil);
+    if (!s && scene.has_soil_elements() && scene.has_wheel()) s = check_region(scene, state, work.soil);
     if (!s) s = check_overlaps(scene, state, work);
     if (!s) return std::nullopt;
     return diagnose(scene, state, watch, std::move(*s));
@@ -329,8 +355,9 @@ std::optional<Violation> check_health(const Scene& scene, const State& state, co
 
 std::optional<Violation> check_budget(const Scene& scene, const State& state, const Workspace& work,
                                       const EnergyFlow& sample, double interval_s, HealthWatch& watch) {
-    // A conversion changes what is stored (its record says by how much): a window does not reach over one.
-    if (!watch.begun || watch.conversions != state.soil.conversions.size()) {
+    // A conversion changes what is stored (its record says by how much): a window does not reach over one. Nor does it
+    // over a growing load, of which the account knows the end alone.
+    if (!watch.begun || watch.conversions != state.soil.conversions.size() || is_load_growing(scene, state)) {
         begin_window(scene, state, work, watch);
         return std::nullopt;
     }

@@ -31,6 +31,7 @@ enum class Cause {
     loose_bed,         ///< the wheel is put on soil that does not carry yet
     shallow_bin,       ///< the wheel is near the floor
     short_bin,         ///< the wheel is at an end wall
+    beyond_discs,      ///< the wheel is among soil elements, which it does not touch
     control_windup,    ///< the integral gain is beyond what the loop can hold
     control_weak,      ///< the loop does not follow its target
     energy_drift       ///< energy comes from nowhere, no limit is exceeded
@@ -76,10 +77,10 @@ struct HealthWatch {
                                     double step_s);
 
 /// Abrupt failures, every health_interval steps: NaN, a lost disc, one that goes its radius in a step, too deep an
-/// overlap, a disc inside the wheel, an inverted element, the wheel at floor or end wall, a control error beyond its
-/// limit; and at the beginning of sinkage a bed with fewer than two contacts a disc (it takes three to carry with
-/// friction, four without). The cause is the limit of the step that is exceeded most, else what the quantity itself
-/// says. Only looks.
+/// overlap, a disc inside the wheel, an inverted element, the wheel at floor or end wall or among soil elements, a
+/// control error beyond its limit; and at the beginning of sinkage a bed with fewer than two contacts a disc (it takes
+/// three to carry with friction, four without). The cause is the limit of the step that is exceeded most, else what the
+/// quantity itself says. Only looks.
 [[nodiscard]] std::optional<Violation> check_health(const Scene& scene, const State& state, const Workspace& work,
                                                     const HealthWatch& watch = {});
 
@@ -87,7 +88,7 @@ struct HealthWatch {
 /// In each window, stored energy + losses − work should stay, and every loss be positive. What contradicts that fails
 /// if it is more than a quarter of all that was turned over, more than three standard errors of the sampled sums, and
 /// more than a hundredth of the kinetic energy; a rolling resistance also, if what it gave is more than that quarter.
-/// A conversion of soil begins a new window.
+/// A conversion of soil and a growing load begin a new window.
 /// The ledger holds the sample already. Only looks.
 [[nodiscard]] std::optional<Violation> check_budget(const Scene& scene, const State& state, const Workspace& work,
                                                     const EnergyFlow& sample, double interval_s, HealthWatch& watch);

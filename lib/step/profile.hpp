@@ -5,7 +5,7 @@
 
 namespace ifedem {
 
-enum class Phase { lists, wheel_contact, wheel_force, wheel_motion, soil_elements, conversion, discs, watch, count };
+enum class Phase { lists, wheel_contact, wheel_force, wheel_motion, soil_elements, conversion, discs, watch };
 inline constexpr std::array<const char*, 8> phase_name = {"neighbour lists",   "wheel contact", "wheel elements",
                                                           "wheel and control", "soil elements", "conversion",
                                                           "discs and walls",   "movement watch"};

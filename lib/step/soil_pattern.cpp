@@ -32,12 +32,6 @@ void keep_lowest(std::size_t count, DiscState& discs) {
     discs = std::move(kept);
 }
 
-double highest_top_m(const DiscState& discs) {
-    double top = 0;
-    for (const Disc& d : discs.disc) top = max_of(top, d.y_m + d.radius_m);
-    return top;
-}
-
 }  // namespace
 
 std::vector<Disc> prepare_pattern(const Case& c) {

@@ -43,13 +43,6 @@ void add_contact(const WheelState& wheel, const WheelContact& c, std::size_t seg
     s.contacts += 1;
 }
 
-void add(SegmentSum& to, const SegmentSum& s) {
-    to.radial_N += s.radial_N, to.circumferential_N += s.circumferential_N;
-    to.normal_N += s.normal_N, to.tangential_N += s.tangential_N;
-    to.fx_N += s.fx_N, to.fy_N += s.fy_N;
-    to.moment_Nm += s.moment_Nm, to.contacts += s.contacts;
-}
-
 void divide(SegmentSum& s, double by) {
     s.radial_N /= by, s.circumferential_N /= by;
     s.normal_N /= by, s.tangential_N /= by;
@@ -58,6 +51,13 @@ void divide(SegmentSum& s, double by) {
 }
 
 }  // namespace
+
+void add(SegmentSum& to, const SegmentSum& s) {
+    to.radial_N += s.radial_N, to.circumferential_N += s.circumferential_N;
+    to.normal_N += s.normal_N, to.tangential_N += s.tangential_N;
+    to.fx_N += s.fx_N, to.fy_N += s.fy_N;
+    to.moment_Nm += s.moment_Nm, to.contacts += s.contacts;
+}
 
 double contact_angle_rad(Vec2 from_hub_m) {
     const double angle = atan2_fixed(-from_hub_m.y, from_hub_m.x);

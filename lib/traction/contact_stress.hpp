@@ -41,4 +41,7 @@ struct MeanSegment {
 /// Sum of blocks.
 [[nodiscard]] StressBlock sum_blocks(const StressState& stress, std::optional<std::size_t> block = {});
 
+/// Every sum of `s`, those too that a mean does not show.
+void add(SegmentSum& to, const SegmentSum& s);
+
 }  // namespace ifedem

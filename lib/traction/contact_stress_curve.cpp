@@ -50,12 +50,7 @@ StressState draw_blocks(std::span<const StressState> realisations, Random& rando
         for (std::size_t b = 0; b < run.block.size(); ++b) {
             const std::size_t drawn = draw(run.block.size());
             sum.block[0].steps += run.block[drawn].steps;
-            for (std::size_t k = 0; k < stride; ++k) {
-                const SegmentSum& s = run.segment[drawn * stride + k];
-                SegmentSum& to = sum.segment[k];
-                to.radial_N += s.radial_N, to.circumferential_N += s.circumferential_N;
-                to.normal_N += s.normal_N, to.tangential_N += s.tangential_N;
-            }
+            for (std::size_t k = 0; k < stride; ++k) add(sum.segment[k], run.segment[drawn * stride + k]);
         }
     }
     return sum;

@@ -186,6 +186,12 @@ TEST_F(BadInput, KeysThatDoNotFitTogetherAreNamed) {
              "c:2:26: the hub never comes where contact forces are averaged"},
             {"[elements]\ncolumns = 10\ndisc_columns = 2\nblock_length_m = 0.15\npattern_discs = 100000",
              "c:5:17: a block's discs do not fit into it"},
+            {"bed.walls = \"discs\"\n[elements]\ncolumns = 10\nblock_length_m = 0.15",
+             "c:1:13: walls of discs beside soil elements"},
+            {"[elements]\ncolumns = 10\nblock_length_m = 0.15\nrows = 1\ndisc_columns = 2",
+             "c:4:8: blocks of discs without elements below them"},
+            {"bed.levelled_count = 1000\n[elements]\ncolumns = 10\nblock_length_m = 0.15\ndisc_columns = 2",
+             "c:1:22: levelling would take discs out of prepared blocks"},
         });
 }
 

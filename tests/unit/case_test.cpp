@@ -374,6 +374,7 @@ Case vary(std::uint64_t seed) {
     }
     c.elements.columns *= 2;  // the rules: blocks end at the wall, and blocks of discs are among them
     c.elements.block_length_m = 0.5 * c.bed.length_m;
+    if (c.elements.columns > 0) c.bed.walls = WallKind::flat, c.bed.levelled_count = 0;
     return c;
 }
 

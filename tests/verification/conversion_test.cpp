@@ -354,5 +354,22 @@ TEST(Drive, keeps_the_soils_mass_where_it_is_handed_over) {
                     1e-12 * r.before.element_mass_kg);
 }
 
+// Nothing would carry the wheel there, and forces would only be too small.
+TEST(Drive, is_stopped_where_the_discs_end) {
+    Case c = make_drive();
+    c.elements.conversion_interval_steps = 0;
+    c.travel.distance_m = 0.4;
+    World w = begin_travel(c);
+    std::optional<Violation> fault;
+    for (std::uint64_t n = 0; n < steps_of_stage(c, Stage::travel) && !fault; n += 50) {
+        advance(w, 50);
+        fault = check_health(w.scene, w.state, w.work);
+    }
+    ASSERT_TRUE(fault.has_value());
+    EXPECT_EQ(cause_name(fault->cause), cause_name(Cause::beyond_discs)) << to_text(*fault);
+    const double discs_end_m = 5 * c.elements.block_length_m;
+    EXPECT_LT(w.state.wheel.rim.position_m.x, discs_end_m) << "before the hub is above the elements";
+}
+
 }  // namespace
 }  // namespace ifedem

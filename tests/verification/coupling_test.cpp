@@ -263,7 +263,7 @@ TEST(Shares, balance_in_force_and_moment) {
     for (const WheelContact& c : w.work.wheel.contact) {
         const Disc& d = w.state.discs.disc[c.position];
         force += c.on_disc.force_N;
-        moment += cross(centre_of(d), c.on_disc.force_N) + c.on_disc.moment_Nm;
+        moment += cross(centre_of(d), c.on_disc.force_N) + c.on_disc.turning_N * d.radius_m;
         size += norm(c.on_disc.force_N);
         rubbing += c.on_disc.tangential_N != 0 ? 1 : 0;
     }

@@ -241,7 +241,8 @@ TEST(Interface, forces_balance_to_round_off) {
     double moment = 0, size = 0;
     for (const SurfaceContact& k : w.work.soil.contact) {
         force += k.on_disc.force_N;
-        moment += cross(centre_of(w.state.discs.disc[k.position]), k.on_disc.force_N) + k.on_disc.moment_Nm;
+        const Disc& d = w.state.discs.disc[k.position];
+        moment += cross(centre_of(d), k.on_disc.force_N) + k.on_disc.turning_N * d.radius_m;
         size += norm(k.on_disc.force_N);
     }
     for (std::size_t n = 0; n < w.work.soil.contact_force_N.size(); ++n) {
