@@ -24,7 +24,7 @@ void compare_shares(const World& w, Shares& worst) {
     for (const WheelContact& c : w.work.wheel.contact) {
         const Disc& d = w.state.discs.disc[c.position];
         force += c.on_disc.force_N;
-        moment += cross(centre_of(d), c.on_disc.force_N) + c.on_disc.moment_Nm;
+        moment += cross(centre_of(d), c.on_disc.force_N) + c.on_disc.turning_N * d.radius_m;
         size += norm(c.on_disc.force_N);
         of_contacts -= c.on_disc.force_N.x;
     }
