@@ -5,7 +5,7 @@
 #include <map>
 
 #include "maps.hpp"
-#include "record/results.hpp"
+#include "record/files.hpp"
 
 namespace ifedem::maps {
 
