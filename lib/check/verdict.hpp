@@ -18,7 +18,9 @@ enum class Finding { within, too_uncertain, outside };
 /// |error| ≤ U, where U itself may be at most `uncertainty_limit`.
 [[nodiscard]] Finding compare_within_uncertainty(double error, double uncertainty, double uncertainty_limit);
 
-/// |error| ≤ tolerance, where U may be at most the tolerance.
+/// |error| ≤ tolerance, where U may be at most the tolerance. Beyond the tolerance it is outside however large U is:
+/// the computed number is compared with a number of the text, and only one that agrees can be too uncertain to say so.
+/// (Differences of two of our own curves that U could explain are too uncertain either way: judge_same().)
 [[nodiscard]] Finding compare_within_tolerance(double error, double uncertainty, double tolerance);
 
 /// A one-sided statement: `margin` > 0 on the side that the text claims. It holds if margin > U, fails if margin < −U.

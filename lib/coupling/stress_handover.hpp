@@ -29,7 +29,9 @@ struct BlockCorners {
                                                       std::uint32_t block);
 
 /// Mean stress (σ_x, σ_y, τ_xy; compression < 0) of discs over a volume, Eq 5.10 summed: Σ r F / V over the springs of
-/// their contacts with each other and, as far as a disc's own side, with discs that are not among them.
+/// their contacts with each other and, as far as a disc's own side, with discs that are not among them. Contacts with
+/// elements, walls and attached discs are left out: of σ_y of a block of height h, about r/h for each border that is an
+/// element, 1 % in chapter 5.
 [[nodiscard]] std::array<double, 3> mean_stress_Pa(const DemConstants& k, const State& state,
                                                    const std::vector<std::uint32_t>& positions, double volume_m3);
 
