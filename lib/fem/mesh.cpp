@@ -1,8 +1,10 @@
 #include "fem/mesh.hpp"
 
 #include "core/bitmath.hpp"
+#include "core/error.hpp"
 #include "fem/gmsh.hpp"
 #include "fem/hub_core.hpp"
+#include "model/case_checks.hpp"
 
 namespace ifedem {
 namespace {
@@ -144,6 +146,7 @@ WheelMesh make_plate_mesh(double length_m) {
 WheelMesh make_wheel_mesh(const WheelCase& wheel) {
     if (wheel.shape == WheelShape::plate) return make_plate_mesh(wheel.plate_length_m);
     if (!wheel.mesh_file.empty()) return read_gmsh_wheel(wheel);
+    if (const auto fault = find_wheel_fault(wheel)) fail_input(*fault);
     const Columns columns = lay_out_columns(wheel);
     const Rings rings = lay_out_rings(wheel);
     WheelMesh result;

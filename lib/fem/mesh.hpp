@@ -34,9 +34,8 @@ struct WheelMesh {
 /// tread radius. With lug_pairs = 0 the tread is smooth, with smooth_columns columns (0: as many as twelve pairs would
 /// have). Rigid and rigid-rim wheels carry no elements inside the rim; an elastic rim is rings around a block of quads
 /// with the hub in its centre. Nodes and elements from the rim surface outwards are numbered alike whatever the body. A
-/// plate is a rigid rectangle about the hub. With wheel.mesh_file a wheel's mesh is that file's (fem/gmsh.hpp). Sizes
-/// are taken to keep the rules of a case, which read_case() has seen to. Throws Error(bad_input) where the file holds
-/// no wheel, or where an elastic rim's columns do not fit its core.
+/// plate is a rigid rectangle about the hub. With wheel.mesh_file a wheel's mesh is that file's (fem/gmsh.hpp). Throws
+/// Error(bad_input) where the sizes contradict each other, by the rules of a case.
 [[nodiscard]] WheelMesh make_wheel_mesh(const WheelCase& wheel);
 
 }  // namespace ifedem

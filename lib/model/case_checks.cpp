@@ -206,6 +206,23 @@ std::optional<std::string> find_range_fault(const Key& key, double value) {
                        describe_range(key), unit);
 }
 
+std::optional<std::string> find_wheel_fault(const WheelCase& wheel) {
+    Case c;
+    c.wheel = wheel;
+    for (const Key& key : case_keys()) {
+        if (!std::string_view(key.name).starts_with("wheel.")) continue;
+        const Slot slot = key.slot(c);
+        std::optional<std::string> fault;
+        if (const auto* number = std::get_if<double*>(&slot)) fault = find_range_fault(key, **number);
+        if (const auto* whole = std::get_if<std::int64_t*>(&slot))
+            fault = find_range_fault(key, static_cast<double>(**whole));
+        if (fault) return fault;
+    }
+    Faults faults;
+    check_wheel(wheel, faults);
+    return faults.empty() ? std::nullopt : std::optional(faults.front().message);
+}
+
 std::vector<RuleFault> find_rule_faults(const Case& c) {
     Faults faults;
     check_soil(c, faults);

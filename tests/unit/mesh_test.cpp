@@ -174,12 +174,22 @@ TEST(WheelMesh, the_tyre_of_chapter_4_has_the_columns_of_the_published_counts) {
     EXPECT_EQ(wheel.mesh.quad.size() + static_cast<std::size_t>(c.rim_rings) * 56U + 56U, 448U);
 }
 
-TEST(WheelMesh, a_core_that_the_columns_do_not_fit_is_refused) {
-    WheelCase c;
-    c.body = WheelBody::elastic;
-    c.lug_pairs = 11;
-    c.pitch_columns = 2;
-    EXPECT_THROW(static_cast<void>(make_wheel_mesh(c)), Error);
+TEST(WheelMesh, impossible_wheels_are_refused) {
+    const auto refused = [](auto change) {
+        WheelCase c;
+        change(c);
+        EXPECT_THROW(static_cast<void>(make_wheel_mesh(c)), Error);
+    };
+    refused([](WheelCase& c) { c.tread_radius_m = 0.08; });
+    refused([](WheelCase& c) { c.surface_thickness_m = 0.06; });
+    refused([](WheelCase& c) { c.intermediate_rings = 0; });
+    refused([](WheelCase& c) { c.lug_pairs = 40; });
+    refused([](WheelCase& c) { c.lug_gap_m = 0; });
+    refused([](WheelCase& c) {
+        c.body = WheelBody::elastic;
+        c.lug_pairs = 11;
+        c.pitch_columns = 2;
+    });
 }
 
 }  // namespace
